@@ -83,7 +83,7 @@ end
 
 -- Makes every method of a world a function of the default world, too.
 for _, name in ipairs(keyOrder.sorted(world.methods)) do
-  if type(world.methods[name]) == "function" then
+  if type(world.methods[name]) == "function" and name:sub(1, 1) ~= "_" then
     physics[name] = ofDefault(name, world.methods[name])
   end
 end

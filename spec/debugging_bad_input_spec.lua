@@ -573,11 +573,11 @@ end)
 
 -- Calls in the wrong way --------------------------------------------------------------------------
 
--- Calls `visit(name)` for the functions of a table, but for that which takes nothing.
+-- Calls `visit(name)` for the public functions of a table, but for that which takes nothing.
 local function eachFunction(methods, visit)
   local count = 0
   for name, method in pairs(methods) do
-    if type(method) == "function" and name ~= "globals" then
+    if type(method) == "function" and name ~= "globals" and not name:find("^_") then
       count = count + 1
       visit(name)
     end

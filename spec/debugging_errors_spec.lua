@@ -276,7 +276,7 @@ local function twice(second, first)
 end
 
 describe("world:update", function()
-  local key = " has a key that is neither a number nor a string, got "
+  local key = " has a key that is no finite number or string, got "
   local member = object()
   -- what is said of these objects, beside a box
   for _, row in ipairs({

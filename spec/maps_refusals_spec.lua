@@ -226,7 +226,7 @@ describe("world:loadLDtk refuses", function()
   local entity = "layerInstances.1.entityInstances.1"
   for _, row in ipairs({
     { "pxWid", 0, "level.pxWid must be a number > 0, got 0" },
-    { "layerInstances.2.__pxTotalOffsetX", NAN, C .. "x must be a number, got nan" },
+    { "layerInstances.2.__pxTotalOffsetX", NAN, C .. "the right edge must be a number, got nan" },
     { "layerInstances.2.__gridSize", 0, C .. "width must be a number > 0, got 0" },
     { "layerInstances.2.intGridCsv.15", NONE, C .. "intGridCsv[15] must be an integer >= 0, …" },
     { "layerInstances.2.intGridCsv.4", -1, C .. "intGridCsv[4] must be an integer >= 0, got -1" },

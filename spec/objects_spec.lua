@@ -189,7 +189,7 @@ describe("world.objects", function()
         one.objects = objects
         for _, call in ipairs({ "update", "save", "hash" }) do
           local ok, message = pcall(one[call], one, call == "update" and DT or nil)
-          local text = " has a key that is not a finite number, got "
+          local text = " has a key that is no finite number or string, got "
             .. (key > 0 and "inf" or "-inf")
           assert.is_truthy(not ok and message:find(path .. text, 1, true), message)
         end

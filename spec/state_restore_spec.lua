@@ -116,6 +116,18 @@ describe("world:restore", function()
     assert.are.same({ bullets = { players = true }, boxes = {} }, world.masks)
   end)
 
+  it("counts each entry of a mask in the hash, however the mask was filled", function()
+    local function hashOf(mask)
+      local world = physics.newWorld()
+      world:add("boxes", mover(0, 0, 10, 10, { mask = mask }))
+      return world:hash()
+    end
+    local filled = { fields = false }
+    filled[3], filled[1] = false, false
+    assert.equal(hashOf({ false, nil, false, fields = false }), hashOf(filled))
+    assert.is_false(hashOf({ false, nil, false }) == hashOf(filled))
+  end)
+
   -- A callback fails at the first end of a contact, which is that of the second box; so the end of
   -- the third is still to be told. Both have left.
   it("keeps events of objects that have left the world", function()
@@ -278,7 +290,7 @@ describe("ownFields", function()
 
   it("are checked in a state, and nothing has changed", function()
     for path, row in pairs({
-      own = { 1, "state.own must be a table, got 1" },
+      own = { 1, "state.own must be a list of names of fields, got 1" },
       ["own[1]"] = { "x", "state.own[1] must be a field of your own" },
       ["fields.hp[1]"] = { 99, "state.fields.hp[1] must be an integer in 1..5, got 99" },
       ["fields.hp[2]"] = { print, "objects.doors[1].hp must be a number" },

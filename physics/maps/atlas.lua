@@ -58,9 +58,7 @@ end
 
 local function find(self, call, name)
   local where, names = "level:" .. call, {}
-  if getmetatable(self) ~= Atlas then
-    check.fail(where .. " must be called with a colon on a level of several maps")
-  end
+  check.self(self, Atlas, where, "a level of several maps")
   for i, map in ipairs(self.maps) do
     if map.name == name then
       return map
@@ -68,7 +66,7 @@ local function find(self, call, name)
     names[i] = check.show(map.name)
   end
   local text = "%s: name must be a map of the world, got %s; they are %s"
-  check.fail(text:format(where, check.show(name), table.concat(names, ", ")))
+  check.fail(text, where, check.show(name), table.concat(names, ", "))
 end
 
 -- Reads maps, and then adds them: all, or none.

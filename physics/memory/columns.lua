@@ -26,9 +26,7 @@ columns.STUCK = 1000
 ---@param isStatic boolean? whether it is static; nil: as its field says
 ---@return integer
 function columns.kindOf(object, isStatic)
-  if isStatic == nil then
-    isStatic = object.static or false
-  end
+  isStatic = isStatic or isStatic == nil and object.static
   return isStatic and columns.STATIC or object.kinematic and columns.KINEMATIC or columns.DYNAMIC
 end
 

@@ -1,18 +1,15 @@
 ---@diagnostic disable
---- What columns and states hold of a value of the game, where that is not the value itself. A form
---- belongs to a type of rows (see fields/fields), so a field needs no code of its own here.
+--- What columns hold of a value of the game, where that is not the value itself. A form belongs to
+--- a type of rows (see fields/fields), so a field needs no code of its own here.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".fields.fields")
-local keyOrder = require(root .. ".memory.keyOrder")
 local layout = require(root .. ".memory.layout")
 
 ---@class physics.Form
 ---@field keep function? (b, value) -> what a column holds: a copy, so that a change is found
 ---@field isKept function? (value, kept) -> whether a value says what is kept; false: nothing is
----@field list function? (value) -> what a state holds: { key, value, ... } in order
----@field make function? (list) -> the reverse
 
 local forms = {}
 
@@ -34,41 +31,16 @@ function forms.isSame(one, other)
   return true
 end
 
---- Returns a value, or of a table a copy.
-function forms.copy(value)
+--- Returns a value, or of a table a copy; in `into`, which is empty, if that is given.
+function forms.copy(value, into)
   if type(value) ~= "table" then
     return value
   end
-  local copy = {}
+  local copy = into or {}
   for key, inner in next, value, nil do
     copy[key] = forms.copy(inner)
   end
   return copy
-end
-
---- Returns a table, and those in it, as { key, value, ... } in the order of the keys.
-function forms.listTable(map)
-  local list = {}
-  for _, key in ipairs(keyOrder.sorted(map)) do
-    local value = map[key]
-    list[#list + 1] = key
-    list[#list + 1] = type(value) == "table" and forms.listTable(value) or value
-  end
-  return list
-end
-
---- Returns such a list as a table; in `map`, which is emptied, if that is given. (A key of a
---- damaged state that cannot be one is `false`, which is refused.)
-function forms.makeTable(list, map)
-  map = map or {}
-  for key in next, map, nil do
-    map[key] = nil
-  end
-  for at = 1, #list, 2 do
-    local key, value = list[at], list[at + 1]
-    map[key == key and key or false] = type(value) == "table" and forms.makeTable(value) or value
-  end
-  return map
 end
 
 -- Returns a copy of a mask or an area; entries may come from a class. Many tiles have the same
@@ -100,18 +72,9 @@ local function isSameSide(value, kept)
   return columns.sideOf(value) == kept
 end
 
-local TABLE =
-  { keep = keepTable, isKept = isSameTable, list = forms.listTable, make = forms.makeTable }
-local LIST = { list = forms.copy, make = forms.copy }
+local TABLE = { keep = keepTable, isKept = isSameTable }
 local SIDE, PLAIN = { keep = keepSide, isKept = isSameSide }, {}
-local BY_TYPE = {
-  mask = TABLE,
-  area = TABLE,
-  masks = TABLE,
-  soft = TABLE,
-  names = LIST,
-  own = LIST, -- of the game (see state/own)
-}
+local BY_TYPE = { mask = TABLE, area = TABLE }
 
 --- Returns the form of the values of a row.
 ---@param row physics.Field

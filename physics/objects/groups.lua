@@ -56,12 +56,8 @@ end
 local function sortedKeys(source, path, listed)
   local keys = {}
   for key in next, source, nil do
-    if type(key) ~= "number" and type(key) ~= "string" then
-      check.fail(
-        path .. " has a key that is neither a number nor a string, got " .. check.show(key)
-      )
-    elseif not check.isName(key) then
-      check.fail(path .. " has a key that is not a finite number, got " .. check.show(key))
+    if not check.isName(key) then
+      check.fail("%s has a key that is no finite number or string, got %s", path, check.show(key))
     elseif not (listed and listed[key]) then
       keys[#keys + 1] = key
     end
@@ -159,8 +155,7 @@ end
 
 local function checkGroup(name, source)
   if type(source) ~= "table" then
-    local text = " must be a group (a table of objects) or an object, got "
-    check.fail(check.place(name) .. text .. check.show(source))
+    check.refuse(check.place(name), "a group (a table of objects) or an object", source)
   end
 end
 
@@ -169,7 +164,7 @@ end
 function groups.read(self, objects)
   local records, byName = {}, {}
   if type(objects) ~= "table" then
-    check.fail("objects must be a table of groups, got " .. check.show(objects))
+    check.refuse("objects", "a table of groups", objects)
   end
   for index, name in ipairs(sortedNames(self, objects)) do
     local source, record = objects[name], self.byName[name]

@@ -109,7 +109,7 @@ local function checkPlace(object, record, key)
     or not (max(x, -x) + max(y, -y) + width + height <= MOST and min(width, height) > 0)
     or (active ~= nil and type(active) ~= "boolean")
   then
-    check.object(object, registry.place(record, key))
+    check.object(object, registry.place, record, key)
   end
 end
 
@@ -315,7 +315,7 @@ end
 function near.get(c, object, where, name)
   local n = near.find(c, object)
   if not n then
-    registry.failMissing(where, object, name)
+    registry.failMissing(where, name)
   end
   return n
 end
@@ -328,9 +328,7 @@ function near.readFilter(c, n)
     c.mask[n], c.only[n] = b.mask[i], b.only[i]
     return
   end
-  if check.badField(object) then
-    check.object(object, registry.place(c.group[n], c.key[n]))
-  end
+  check.object(object, registry.place, c.group[n], c.key[n])
   c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
   c.oneWay[n], c.mask[n] = columns.sideOf(object.oneWay), object.mask or false
   c.only[n] = object.hits and filter.readHits(b, object.hits) or false

@@ -24,6 +24,7 @@ local restore = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local COLUMNS, PAIRS, VALUES = format.COLUMNS, format.PAIRS, events.VALUES
+local NONE = {}
 local WALLS = "bounds" -- the group of `setBounds` (see world/bounds)
 local max, min = math.max, math.min
 
@@ -40,16 +41,12 @@ local function forEach(st, visit)
   end
 end
 
-local function isDirect(members)
-  return type(members) == "table" and type(members.width) == "number"
-end
-
 -- Finds objects for a state from elsewhere: those at the same places, and new ones.
 local function matchByPlace(world, st)
   local objects, taken = {}, {}
   forEach(st, function(n, name, key)
     local object = world.objects[name]
-    if isDirect(object) ~= (key == nil) then
+    if check.isObject(object) ~= (key == nil) then
       object = nil
     elseif key ~= nil and type(object) == "table" then
       object = object[key]
@@ -68,7 +65,7 @@ local function misfit(world, st)
   for _, group in ipairs(st.groups) do
     local members, count = world.objects[group.name], group.count
     local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
-    local here = type(members) == "table" and not isDirect(members) and #members or 0
+    local here = type(members) == "table" and not check.isObject(members) and #members or 0
     if isNumbered and count ~= here and here > 0 then
       return (
         "%s has %d objects in the state and %d here: numbers shift when an object is removed,"
@@ -94,17 +91,20 @@ end
 
 -- The game's tables -------------------------------------------------------------------------------
 
+local function clear(list)
+  for key in next, list, nil do
+    list[key] = nil
+  end
+end
+
 -- Writes what a state holds of a field or setting, nil: nothing. A table that says the same stays;
 -- `isShared`: another one is changed in place, since the game may hold it.
 local function write(owner, row, value, isShared)
-  local make, now = forms.of(row).make, owner[row.name]
-  if make and value ~= nil then
-    local made = make(value)
-    local into = isShared and type(now) == "table" and now or nil
-    value = forms.isSame(now, made) and now or into and make(value, into) or made
-  end
-  if now ~= value then
-    owner[row.name] = value
+  local now = owner[row.name]
+  if not forms.isSame(now, value) then
+    local into = isShared and type(now) == "table" and type(value) == "table" and now or nil
+    clear(into or NONE)
+    owner[row.name] = forms.copy(value, into)
   end
 end
 
@@ -125,16 +125,10 @@ local function writeField(st, objects, row)
   end
 end
 
-local function clear(list)
-  for key in next, list, nil do
-    list[key] = nil
-  end
-end
-
 -- Puts the objects into the game's groups. Groups that are not in the state are emptied.
 local function place(world, st, objects)
   for name, members in next, world.objects, nil do
-    if type(members) ~= "table" or isDirect(members) then
+    if type(members) ~= "table" or check.isObject(members) then
       world.objects[name] = nil
     else
       clear(members)

@@ -28,10 +28,9 @@ function states.write(value)
       parts[i] = states.write(value[i])
     end
   else
-    assert(#value == 0, "a list with holes, or with names, in a state")
     for key, entry in pairs(value) do
-      assert(type(key) == "string", "a key that is no string in a state")
-      parts[#parts + 1] = ("[%q]=%s"):format(key, states.write(entry))
+      assert(type(key) ~= "boolean" and type(key) ~= "table", "a key that is no name in a state")
+      parts[#parts + 1] = ("[%s]=%s"):format(states.write(key), states.write(entry))
     end
   end
   return "{" .. table.concat(parts, ",") .. "}"
