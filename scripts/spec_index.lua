@@ -1,10 +1,15 @@
---- Writes spec/README.md: for each field, setting and method the specs that are about it.
+--- Writes spec/README.md: for each page of the guide and the reference its spec files, and for each
+--- field, setting and method the specs that are about it.
 ---
 ---   luajit scripts/spec_index.lua            writes the page
----   luajit scripts/spec_index.lua --check    fails if it would be another one
+---   luajit scripts/spec_index.lua --check    fails if it would be another, or a name is missing
 ---
---- A spec is about a name if the title of its `describe`, or its own, begins with the name. Names
---- without one are listed with the files that have them most often in their titles.
+--- A spec is about a name if the title of its `describe`, or its own, begins with the name, or with
+--- a list in which it is: "vx and vy: ...".
+---
+--- What must hold: each page of the guide and the reference has a spec file of its name, and each
+--- file in spec/ itself has the name of a page. Each field, setting and method has a spec, and each
+--- outermost title begins with one of them, or with "every".
 
 package.path = "./?.lua;" .. package.path
 
@@ -15,8 +20,21 @@ local HEAD = [[
 # Where a promise has its specs
 
 Written by `luajit scripts/spec_index.lua`; `make lint` checks it. To find a spec, look for the
-field, setting or method here. To add one: open that file, or one in [scenarios](scenarios/);
-begin the title with the name, draw the scene above the numbers, see the row fail: `busted FILE`.
+field, setting or method here, or for the [page](#pages) that explains it. To add one: open that
+file, or one in [scenarios](scenarios/); begin the title with the name, draw the scene above the
+numbers, see the row fail: `busted FILE`.
+
+| where | what |
+|---|---|
+| `NAME_spec.lua`, `NAME_…_spec.lua` | the page `NAME` of the guide, the reference or `docs/` |
+| [scenarios](scenarios/) | a behaviour each: a picture, rows of numbers, played in many variants |
+| [oracles](oracles/) | motion, impacts and friction compared with what is worked out by hand |
+| [invariants](invariants/) | what holds in every scene: bits, garbage, errors, random games |
+| [inside](inside/) | files of the core, looked at from inside |
+| [project](project/) | the pages, the scripts, the benchmark |
+| [support](support/), [fuzz](fuzz/) | helpers, and the random games |
+| [maps](maps/), [gopher](gopher/) | maps of Tiled, and a Lua in Go |
+
 ]]
 
 local function read(command)
@@ -30,18 +48,18 @@ end
 
 -- By file: the titles of all `describe` and `it`, without playing any.
 local function titlesOf(path)
-  local titles, around = {}, {}
+  local titles, depth = {}, 0
   local function add(title)
-    titles[#titles + 1] = { text = title, within = table.concat(around, " ") }
+    titles[#titles + 1] = { text = title, isOutermost = depth == 0 }
   end
   local nothing = function() end
   -- (As globals: helpers of the specs call them, too.)
   for name, word in pairs({
     describe = function(title, body)
       add(title)
-      around[#around + 1] = title
+      depth = depth + 1
       body()
-      around[#around] = nil
+      depth = depth - 1
     end,
     it = add,
     pending = add,
@@ -61,10 +79,10 @@ end
 
 -- Names -------------------------------------------------------------------------------------------
 
-local function names(rows, form)
+local function names(rows, form, short)
   local list = {}
   for _, row in ipairs(rows) do
-    list[#list + 1] = { form:format(row.name), row.name }
+    list[#list + 1] = { form:format(row.name), (short or "%s"):format(row.name) }
   end
   return list
 end
@@ -83,81 +101,168 @@ local function methods()
   return list
 end
 
-local function beginsWith(title, name)
-  local first, last = title:find(name, 1, true)
-  return first == 1 and not title:find("^[%w_]", last + 1)
+local PARTS = {
+  { "Fields of objects", names(fields.objects, "%s") },
+  { "What a zone does", names(fields.area, "area.%s", "area.%s") },
+  { "Settings", names(fields.settings, "world.%s") },
+  { "Methods", methods() },
+}
+
+-- What titles may begin with, besides these names.
+local SUBJECTS = {}
+for word in
+  ([[
+  every filter stats load require globals newWorld inside side checkCollision bump world.objects
+  level:addMap level:removeMap
+]]):gmatch("%S+")
+do
+  SUBJECTS[word] = true
+end
+for _, part in ipairs(PARTS) do
+  for _, name in ipairs(part[2]) do
+    SUBJECTS[name[1]], SUBJECTS[name[2]] = true, true
+  end
 end
 
-local function mentions(title, word)
-  return title:find("%f[%w_]" .. word .. "%f[^%w_]") ~= nil
+-- The names that a title begins with, as a set: "vx and vy: seams" is about both.
+local function subjectsOf(title)
+  local subjects, at = {}, 1
+  while at do
+    local word = title:match("^%a[%w_.:]*", at) or ""
+    local name = word:gsub("[.:]+$", "")
+    if not SUBJECTS[name] then
+      break
+    end
+    subjects[name], at = true, at + #name
+    local _, last = title:find("^,? and ", at)
+    if not last then
+      _, last = title:find("^, ", at)
+    end
+    at = last and last + 1
+  end
+  return subjects
 end
 
 -- The page ----------------------------------------------------------------------------------------
 
--- What every name has: its wrong values, and what games have found.
-local GENERAL = { bad_input = true, fuzz_found = true }
+-- What every name has: its wrong values, its row, and what games have found.
+local GENERAL = { debugging_bad_input = true, fields = true, fuzz_found = true }
 
--- Returns the cell of a name: files with titles about it, else files that mention it, most first.
-local function cellOf(files, name)
-  local about, elsewhere = {}, {}
-  for _, file in ipairs(files) do
-    local own, count = {}, 0
-    for _, title in ipairs(file.titles) do
-      if beginsWith(title.text, name[1]) or beginsWith(title.text, name[2]) then
-        own[#own + 1] = title.text:gsub("%s*#%w+", ""):gsub("|", "\\|")
-      end
-      count = count + (mentions(title.text, name[2]) and 1 or 0)
-    end
-    local link = ("[%s](%s)"):format(file.name, file.path:gsub("^spec/", ""))
-    if #own > 0 and not GENERAL[file.name] then
-      local more = #own > 3 and (", and %d more"):format(#own - 3) or ""
-      about[#about + 1] = link .. ": " .. table.concat(own, "; ", 1, math.min(#own, 3)) .. more
-    elseif count > 0 and not GENERAL[file.name] then
-      elsewhere[#elsewhere + 1] = { link, count, file.path }
-    end
-  end
-  table.sort(elsewhere, function(a, b)
-    return a[2] > b[2] or a[2] == b[2] and a[3] < b[3]
-  end)
-  local others = {}
-  for n = 1, math.min(#elsewhere, about[1] and 0 or 3) do
-    others[n] = elsewhere[n][1]
-  end
-  return about[1] and table.concat(about, "<br>")
-    or others[1] and "see " .. table.concat(others, ", ")
-    or "none"
+local function linkTo(file)
+  return ("[%s](%s)"):format(file.name, file.path:gsub("^spec/", ""))
 end
 
-local function page()
-  local files, lines = {}, { HEAD }
-  local listing = read("find spec -name '*_spec.lua' | LC_ALL=C sort")
-  for path in listing:gmatch("[^\n]+") do
-    local name = path:match("([^/]+)_spec%.lua$")
-    files[#files + 1] = { path = path, name = name, titles = titlesOf(path) }
+-- Returns the cell of a name: the files with titles about it.
+local function cellOf(files, name)
+  local about = {}
+  for _, file in ipairs(files) do
+    local own = {}
+    for _, title in ipairs(file.titles) do
+      if title.subjects[name[1]] or title.subjects[name[2]] then
+        own[#own + 1] = title.text:gsub("%s*#%w+", ""):gsub("|", "\\|")
+      end
+    end
+    if #own > 0 and not GENERAL[file.name] then
+      local more = #own > 3 and (", and %d more"):format(#own - 3) or ""
+      local text = table.concat(own, "; ", 1, math.min(#own, 3))
+      about[#about + 1] = linkTo(file) .. ": " .. text .. more
+    end
   end
-  for _, part in ipairs({
-    { "Fields of objects", names(fields.objects, "%s") },
-    { "What a zone does", names(fields.area, "area.%s") },
-    { "Settings", names(fields.settings, "world.%s") },
-    { "Methods", methods() },
-  }) do
+  return #about > 0 and table.concat(about, "<br>") or "none"
+end
+
+local function listFiles()
+  local files = {}
+  for path in read("find spec -name '*_spec.lua' | LC_ALL=C sort"):gmatch("[^\n]+") do
+    local file = { path = path, name = path:match("([^/]+)_spec%.lua$"), titles = titlesOf(path) }
+    for _, title in ipairs(file.titles) do
+      title.subjects = subjectsOf(title.text)
+    end
+    file.isPage = path:find("^spec/[^/]+$") ~= nil
+    files[#files + 1] = file
+  end
+  table.sort(files, function(a, b)
+    return a.name < b.name
+  end)
+  return files
+end
+
+local function isOf(file, page)
+  return file.isPage and (file.name == page or file.name:sub(1, #page + 1) == page .. "_")
+end
+
+-- The rows of pages. A file of no page, and a page of the guide or the reference without a file, are
+-- problems.
+local function pages(files, problems)
+  local lines, isListed = { "## Pages\n\n| page | specs |\n|---|---|" }, {}
+  local listing = read("ls docs/guide/*.md docs/api/*.md docs/*.md")
+  for path in listing:gmatch("[^\n]+") do
+    local page, links = path:match("([^/]+)%.md$"), {}
+    for _, file in ipairs(files) do
+      if isOf(file, page) then
+        links[#links + 1], isListed[file] = linkTo(file), true
+      end
+    end
+    if links[1] then
+      local short, all = path:match("^docs/(.*)%.md$"), table.concat(links, ", ")
+      lines[#lines + 1] = ("| [%s](../%s) | %s |"):format(short, path, all)
+    elseif path:find("^docs/%l+/") and page ~= "index" then
+      problems[#problems + 1] = path .. " has no spec of its name"
+    end
+  end
+  for _, file in ipairs(files) do
+    if file.isPage and not isListed[file] then
+      problems[#problems + 1] = file.path .. " has the name of no page"
+    end
+  end
+  lines[#lines + 1] = ""
+  return lines
+end
+
+-- What is about no name: files of the project and of the core, and games at random.
+local function isFree(file, title)
+  return file.path:find("^spec/project/")
+    or file.path:find("^spec/inside/")
+    or file.name:find("^fuzz")
+    or title.text:find("^%l+/[%w/]+%.%l+:? ") -- of a page or an example: "docs/recipes.md: "
+    or title.text:find("^%l+/[%w/]+%.%l+:?$")
+end
+
+-- Returns the text, and what is wrong, a line each.
+local function build()
+  local files, problems = listFiles(), {}
+  local lines = { HEAD .. table.concat(pages(files, problems), "\n") }
+  for _, part in ipairs(PARTS) do
     lines[#lines + 1] = "## " .. part[1] .. "\n\n| name | specs |\n|---|---|"
     for _, name in ipairs(part[2]) do
-      lines[#lines + 1] = ("| `%s` | %s |"):format(name[1], cellOf(files, name))
+      local cell = cellOf(files, name)
+      lines[#lines + 1] = ("| `%s` | %s |"):format(name[1], cell)
+      if cell == "none" then
+        problems[#problems + 1] = "no title begins with " .. name[1]
+      end
     end
     lines[#lines + 1] = ""
   end
-  return table.concat(lines, "\n")
+  for _, file in ipairs(files) do
+    for _, title in ipairs(file.titles) do
+      if title.isOutermost and next(title.subjects) == nil and not isFree(file, title) then
+        local text = "%s: '%s' should begin with a field, setting, callback or function"
+        problems[#problems + 1] = text:format(file.path, title.text)
+      end
+    end
+  end
+  return table.concat(lines, "\n"), problems
 end
 
-local text = page()
+local text, problems = build()
 if arg[1] == "--check" then
   local file = io.open(PATH)
   local old = file and file:read("*a")
   if old ~= text then
-    io.stderr:write(PATH .. " is old: luajit scripts/spec_index.lua\n")
-    os.exit(1)
+    problems[#problems + 1] = PATH .. " is old: luajit scripts/spec_index.lua"
   end
+  io.stderr:write(table.concat(problems, "\n"), problems[1] and "\n" or "")
+  os.exit(problems[1] and 1 or 0)
 else
   local file = assert(io.open(PATH, "w"))
   file:write(text)

@@ -2,7 +2,7 @@
 
 local snippets = require("spec.support.snippets")
 
-describe("examples/compare", function()
+describe("docs/compare.md: examples/compare", function()
   local pathBefore = package.path
   local plays, scenes, engines
 

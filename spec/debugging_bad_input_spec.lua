@@ -365,7 +365,7 @@ local function tryRow(row, first, later)
   end
 end
 
-describe("whatever is in it, it is taken or refused:", function()
+describe("every field and setting: whatever is in it, it is taken or refused:", function()
   after_each(function()
     physics.load()
   end)
@@ -500,7 +500,7 @@ end
 
 local NAMES = newMethods(newScene())
 
-describe("whatever it is given,", function()
+describe("every function: whatever it is given,", function()
   for n, row in ipairs(NAMES) do
     it("world:" .. row[1] .. " answers or refuses it", function()
       tryAll(newMethods, n, function(scene)
@@ -519,7 +519,7 @@ describe("whatever it is given,", function()
   end
 end)
 
-describe("whatever it answers,", function()
+describe("every callback: whatever it answers,", function()
   for name, call in pairs({
     ["a filter"] = function(scene, answer)
       scene.world:queryRect(0, 0, 300, 300, answer)
@@ -551,7 +551,7 @@ describe("whatever it answers,", function()
   end
 end)
 
-describe("the matrix of bad input", function()
+describe("every function: the matrix of bad input", function()
   it("has every public function in it, and thousands of calls", function()
     local tried = {}
     for _, list in ipairs({ NAMES, newFunctions() }) do
@@ -585,7 +585,7 @@ local function eachFunction(methods, visit)
   assert.is_true(count > 25)
 end
 
-describe("every", function()
+describe("every function:", function()
   it("method of a world says so when it is called with a dot instead of a colon", function()
     local world = physics.newWorld()
     eachFunction(getmetatable(world).__index, function(name)

@@ -42,7 +42,7 @@ local function saidIn(place, chain, environment)
   return select(2, pcall(call))
 end
 
-describe("the line that an error names", function()
+describe("every function: the line that an error names", function()
   it("is the one that calls the library, also by pcall, and none where there is none", function()
     local world = physics.newWorld()
     local line = debug.getinfo(1, "l").currentline
@@ -100,7 +100,7 @@ end)
 
 -- The words ---------------------------------------------------------------------------------------
 
-describe("an error", function()
+describe("every function: an error", function()
   local forty = ("0123456789"):rep(4)
   local tagged = setmetatable({}, { __tostring = type })
   it("shows values in a way that is the same on every Lua", function()
@@ -236,7 +236,7 @@ end)
 
 -- Groups and filters ------------------------------------------------------------------------------
 
-describe("a group", function()
+describe("add: a group", function()
   it("may be any string or number, in filters also a list or a function", function()
     local world = physics.newWorld()
     for n, name in ipairs({ "boxes", "", 1, -1.5 }) do
@@ -350,7 +350,7 @@ end)
 local ADD = "world:add(group, object): "
 local NO_WORLD = "the object is not in the world (removed, or never added)"
 
-describe("a call", function()
+describe("every function: a call", function()
   local BOX, PLAYER, CRATE = "box", "player", "crate" -- stand for objects of the world
   local group = "group must be a string or a number, got "
   local example = ' as in world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })'

@@ -198,7 +198,7 @@ describe("onBegin and onEnd", function()
     { "run:step(1 / 64)", "box at 1, 0", "box.vx == 0", "pusher.vx == 32", "log.begins == 2" },
   }, { "push", { "both" }, { "first" } })
 
-  row("are not told of neighbours that never pressed each other, but for sideBySide", {
+  row("sideBySide: only with it they are told of neighbours that never pressed each other", {
     FLOOR,
     solid("wall", 16, 0, 16, 100),
     box({ y = 84 }),

@@ -115,7 +115,7 @@ local function writeAndTell(name, value)
   end
 end
 
-describe("a field of an object that had none", function()
+describe("every field: of an object that had none", function()
   it("is in one of the lists of this spec", function()
     for _, field in ipairs(fields.objects) do
       assert.is_true(VALUES[field.name] ~= nil or OTHERS:find(field.name .. " ", 1, true) ~= nil)
@@ -172,7 +172,7 @@ local function row(title, entries, given, rows)
   })
 end
 
-describe("fields and settings at run time:", function()
+describe("every field and setting at run time:", function()
   row("vx and vy become numbers", STANDS, {
     { steps = 2 },
     "box.raw.vx == 0; box.raw.vy == 0",

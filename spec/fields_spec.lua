@@ -9,13 +9,16 @@ for _, list in ipairs({ "objects", "area", "settings" }) do
   local names = {}
   for _, row in ipairs(fields[list]) do
     local name, type = row.name, row.type
-    it(list .. ": the row of " .. name .. " is well formed", function()
-      assert.is_nil(names[name])
-      names[name] = true
-      assert.matches("^[%u`].+%.$", row.meaning)
-      assert.equal(type == "function", row.signature ~= nil)
-      assert.equal(type == "string", row.values ~= nil)
-    end)
+    it(
+      (list == "area" and "area." or "") .. name .. ": its row of " .. list .. " is well formed",
+      function()
+        assert.is_nil(names[name])
+        names[name] = true
+        assert.matches("^[%u`].+%.$", row.meaning)
+        assert.equal(type == "function", row.signature ~= nil)
+        assert.equal(type == "string", row.values ~= nil)
+      end
+    )
   end
 end
 
@@ -89,7 +92,7 @@ local function refuses(text, f, ...)
   assert.matches(text, message, 1, true)
 end
 
-describe("a new field needs one row, and a line where it acts: it is", function()
+describe("every field: a new one needs one row, and a line where it acts: it is", function()
   it("read, compared, and refused when it is wrong #files", function()
     with(LIFT, function(physics)
       local world = physics.newWorld({ gravity = 300 })
@@ -154,7 +157,7 @@ describe("a new field needs one row, and a line where it acts: it is", function(
   end)
 end)
 
-describe("a new event needs one row, and a place that notices it: it is", function()
+describe("every callback: a new one needs one row, and a place that notices it: it is", function()
   -- A box falls on a floor, is lifted, and falls again.
   local function play(physics, settings, onLand)
     local world = physics.newWorld(settings)

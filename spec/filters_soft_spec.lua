@@ -38,7 +38,7 @@ local function pair(one, other, soft, settings)
   return world, a, b
 end
 
-describe("soft objects", function()
+describe("soft: objects", function()
   it("drift apart, the slower the less they overlap, and stop", function()
     local world, a, b = pair()
     run(world, 1, 1e-3)
@@ -240,7 +240,7 @@ local function isInWall(world, enemy)
   return enemy.x < -1e-6 or enemy.y < -1e-6 or enemy.x > 600 or enemy.y > 600
 end
 
-describe("a soft crowd", function()
+describe("soft: a crowd", function()
   it("stays out of walls, and moves nothing further than its speeds and the drift", function()
     local world, player, step = press({}, 200, DT, 3)
     for _ = 1, 120 do
@@ -316,7 +316,7 @@ describe("a soft crowd", function()
   end)
 end)
 
-describe("the setting soft", function()
+describe("soft: the setting", function()
   for _, row in ipairs({
     { 5, "soft must be a table { [group] = { [group] = px/s } }, got 5" },
     { { enemies = 5 }, "soft.enemies must be a table { [group] = px/s }, got 5" },

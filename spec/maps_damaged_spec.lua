@@ -59,7 +59,7 @@ local function tryTiles(level)
   end
 end
 
-describe("a damaged map", function()
+describe("loadTiled and loadLDtk: a damaged map", function()
   for _, kind in ipairs({ "Tiled", "LDtk" }) do
     it("of " .. kind .. " is loaded or refused, and never half", function()
       local loaded, refused = 0, 0

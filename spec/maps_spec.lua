@@ -68,7 +68,7 @@ local function printed(f)
   return lines, result
 end
 
-describe("an object of a map", function()
+describe("loadTiled: an object of a map", function()
   local YES, NO, THINGS = { solid = true }, { solid = false }, { solidLayers = { "things" } }
   local HARD, CRATE = { solidProperty = "hard" }, { kinds = { Crate = "dynamic" } }
   local BOTH = { kinds = { things = "static", Crate = "dynamic" } }
@@ -196,7 +196,7 @@ describe("an object of a map", function()
   end)
 end)
 
-describe("the name of a layer", function()
+describe("loadTiled: the name of a layer", function()
   local walls = {
     "Collision LAyer, Platforms lvl, TopWall, collisions_1, WALLS, solid-tiles, boundaries",
     "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur",
@@ -256,7 +256,7 @@ describe("the name of a layer", function()
   end)
 end)
 
-describe("a map without a wall", function()
+describe("loadTiled: a map without a wall", function()
   local function newTiles()
     return newMap({
       tiled.tiles(1, "backdrop", { "1111", "11.1" }),
@@ -312,7 +312,7 @@ describe("a map without a wall", function()
   end)
 end)
 
-describe("a level", function()
+describe("loadTiled: a level", function()
   it("lists what it has made", function()
     local level = load(
       things(
@@ -373,7 +373,7 @@ describe("a level", function()
   end)
 end)
 
-describe("a level of LDtk", function()
+describe("loadLDtk: a level", function()
   it("takes groups of values and tags of entities for kinds", function()
     local cells = ldtk.intGrid("Cells", { "123" })
     local box = ldtk.entity("Box", 32, 32, 16, 16, nil, { __tags = { "movable" } })
@@ -393,7 +393,7 @@ describe("a level of LDtk", function()
   end)
 end)
 
-describe("a world of several maps", function()
+describe("level:addMap and level:removeMap: a world of several maps", function()
   local function newLevel(options)
     local world = physics.newWorld({ gravity = 800 })
     local maps = {

@@ -14,7 +14,7 @@ local FLOOR = scene.maker("floors", { static = true, friction = 0.5 })("floor", 
 local box =
   scene.thing("boxes", { name = "a", x = 0, y = -20, width = 20, height = 20, friction = 0.5 })
 
-describe("maxSpeedX: an engine at its limit", function()
+describe("ax, maxSpeed and maxSpeedX: an engine at its limit", function()
   --        +--+ ax 600 ->       no faster than 100 px/s
   --        +--+
   --  ===================
@@ -59,7 +59,7 @@ describe("maxSpeedX: an engine at its limit", function()
   })
 end)
 
-describe("maxSpeedX: an engine that pushes at its limit", function()
+describe("ax and maxSpeedX: an engine that pushes at its limit", function()
   --   +--+ ax -> +--+--+
   --   +--+       +--+--+
   -- =======================

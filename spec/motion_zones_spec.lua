@@ -22,24 +22,30 @@ end
 local body = scene.thing("bodies", { name = "body", x = 180, y = 60, width = 20, height = 20 })
 local INSIDE = body({ y = 200 })
 
-describe("an area", function()
+describe("area: a zone", function()
   -- Inside from the beginning: 1 s under a constant acceleration, exact at every rate.
-  play.row("acts exactly while all of the body is in: {what}", RATES, function(v)
-    return { zone(v.area), INSIDE }
-  end, { 1, "body at 180 + dx, 200 + dy, 1e-9" }, {
-    "what, area, dx, dy",
-    { "gravity", { gravity = 100 }, 0, 50 },
-    { "no gravity", { gravity = 0 }, 0, 0 },
-    { "a gravity that lifts", { gravity = -100 }, 0, -50 },
-    { "gravity sideways", { gravity = 0, gravityX = 60 }, 30, 0 },
-    { "wind", { gravity = 0, ax = 40, ay = -20 }, 20, -10 },
-    { "wind besides gravity", { ax = 40, ay = -760 }, 20, 20 },
-  })
+  play.row(
+    "area.gravity, area.gravityX, area.ax and area.ay act on what is in it: {what}",
+    RATES,
+    function(v)
+      return { zone(v.area), INSIDE }
+    end,
+    { 1, "body at 180 + dx, 200 + dy, 1e-9" },
+    {
+      "what, area, dx, dy",
+      { "gravity", { gravity = 100 }, 0, 50 },
+      { "no gravity", { gravity = 0 }, 0, 0 },
+      { "a gravity that lifts", { gravity = -100 }, 0, -50 },
+      { "gravity sideways", { gravity = 0, gravityX = 60 }, 30, 0 },
+      { "wind", { gravity = 0, ax = 40, ay = -20 }, 20, -10 },
+      { "wind besides gravity", { ax = 40, ay = -760 }, 20, 20 },
+    }
+  )
 
   -- k = 2 and 40 px/s² off 100 px/s: to -20 px/s, if it did not stop
   local SLOWED = body({ y = 200, vx = 100, airFriction = 0.5, drag = 10 })
   local MUD = zone({ gravity = 0, airFriction = 1.5, drag = 30 })
-  play.row("adds its airFriction and its drag to those of the body", RATES, { MUD, SLOWED }, {
+  play.row("area.airFriction and area.drag add to those of the body", RATES, { MUD, SLOWED }, {
     0.5,
     "body.vx ~ 120 * exp(-1) - 20, 1e-9; body.x ~ 180 + 60 * (1 - exp(-1)) - 10, 1e-9",
   })
@@ -83,7 +89,7 @@ describe("an area", function()
 
   -- What attracts, in the middle, at a quarter of the way from there, and at the rim, where half of
   -- the body is inside.
-  play.row("has laws: {law}, at {share} of the radius", ONCE, function(v)
+  play.row("area.attract and area.law: {law}, at {share} of the radius", ONCE, function(v)
     local round = { x = -1000, y = -1000, radius = 1000, width = 2000, height = 2000 }
     local object = body({ x = -1000 * v.share - 0.5, y = -0.5, width = 1, height = 1 })
     return { gravity = 0, zone({ attract = -8, law = v.law }, round), object }
@@ -99,13 +105,13 @@ describe("an area", function()
   })
 
   local CALM = zone({ gravity = 0, attract = 4000, law = "square", airFriction = 20 }, ROUND)
-  play.row("is calm in the centre of an attractor", ONCE, { CALM, body({ y = 300 }) }, {
+  play.row("area.attract is calm in the centre", ONCE, { CALM, body({ y = 300 }) }, {
     4,
     "body at 190, 190, 1e-3",
   })
 
   local CEILING = scene.maker("walls", { kinematic = true, vx = 30 })("ceiling", 0, 100, 400, 20)
-  play.row("turns down where its gravity does: what it presses to a ceiling stands there", ONCE, {
+  play.row("area.gravity turns down: what it presses to a ceiling stands there", ONCE, {
     zone({ gravity = -800 }),
     CEILING,
     INSIDE,
@@ -119,7 +125,7 @@ describe("an area", function()
   local LAST = scene.thing("b", zone({ gravity = 20, ax = 6 })[2])({ name = "last" })
   local FIRST = scene.thing("a", zone({ gravity = 10, ax = 5 })[2])()
   local BOTH = { FIRST, LAST, INSIDE }
-  play.row("of the last one is the gravity, others add up", ONCE, BOTH, {
+  play.row("area.gravity of the last one counts, others add up", ONCE, BOTH, {
     { "run:step(0.02)", "body.vy ~ 0.4, 1e-12; body.vx ~ 0.22, 1e-12" },
   })
 

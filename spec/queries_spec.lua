@@ -139,7 +139,7 @@ describe("nearest", function()
   end
 end)
 
-describe("filter", function()
+describe("filter: it", function()
   it("is a group, a list of groups or a function in raycast, nearest and sweep, too", function()
     local world = four()
     assert.are.equal("4", world:raycast(-10, 15, 100, 15, "c").name)

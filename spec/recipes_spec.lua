@@ -401,7 +401,7 @@ recipes["Chunks"] = function(snippet)
   assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
 end
 
-describe("the recipe", function()
+describe("docs/recipes.md:", function()
   local loveBefore
 
   before_each(function()

@@ -12,7 +12,7 @@ local function play(world, steps)
   end
 end
 
-describe("settings", function()
+describe("every setting:", function()
   it(
     "are plain fields with the documented defaults, or what is given, which is only read",
     function()

@@ -1,6 +1,7 @@
 --- Sprites: where `world:interpolate` puts them, and the functions of docs/guide/sprites.md.
 
 local physics = require("physics")
+local snippets = require("spec.support.snippets")
 
 -- A step of 0.25 s: what moves at 40 px/s is 10 px further after it, and 20 px higher at -80.
 describe("world:interpolate", function()
@@ -57,5 +58,48 @@ describe("world:interpolate", function()
       local _, riderY = world:interpolate(rider)
       assert.is_true(math.abs(riderY + 16 - liftY) < 1e-9, ("frame %d"):format(i))
     end
+  end)
+end)
+
+-- The functions of the page, which it prints once each.
+describe("x, y and touching: a sprite of docs/guide/sprites.md", function()
+  local game, look
+
+  before_each(function()
+    local code = {}
+    for block in snippets.read("docs/guide/sprites.md"):gmatch("\n```lua\n(.-)\n```\n") do
+      code[#code + 1] = block
+    end
+    game = snippets.newEnvironment({}, {})
+    local text = code[1] .. "\n" .. code[2] .. "\nreturn function(way)\n  facing = way or facing\n"
+    look = snippets.compile(text .. "  return place, stateOf\nend", "=sprites", game)()
+  end)
+
+  it("stands with its feet in the middle, in whole pixels, and looks both ways", function()
+    for _, row in ipairs({
+      -- x, y, width, height, which way; where it is drawn
+      { 40, 368, 24, 32, 1, 52, 400 },
+      { 40.4, 368.4, 24, 32, 1, 52, 400 },
+      { 40.5, 367.6, 24, 32, -1, 53, 400 },
+      { -10.25, 0, 7, 9.25, -1, -7, 9 },
+    }) do
+      local object = { x = row[1], y = row[2], width = row[3], height = row[4] }
+      assert.same({ row[6], row[7], 0, row[5], 1, 16, 32 }, { look(row[5])(object) })
+    end
+  end)
+
+  it("stands, runs, jumps and falls", function()
+    local _, stateOf = look()
+    local player, seen = game.player, {}
+    for n, write in ipairs({ { 0, 0 }, { 60, 0 }, { 60, -300 } }) do
+      player.vx, player.vy = write[1], write[2]
+      game.world:update(1 / 60)
+      seen[n] = stateOf(player)
+    end
+    for _ = 1, 24 do
+      game.world:update(1 / 60)
+    end
+    seen[4] = stateOf(player)
+    assert.same({ "stand", "run", "jump", "fall" }, seen)
   end)
 end)

@@ -11,7 +11,7 @@ local function wait(game, steps, each)
   end
 end
 
-describe("the game of docs/topdown.md", function()
+describe("docs/topdown.md: its game", function()
   local loveBefore
 
   before_each(function()

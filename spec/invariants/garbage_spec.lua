@@ -135,7 +135,7 @@ local PARTS = {
   end,
 }
 
-describe("an update of", function()
+describe("world:update of", function()
   for name, fill in pairs(PARTS) do
     for _, rest in ipairs(name == "a pile" and { true, false } or { true }) do
       it(("%s allocates nothing, with rest = %s"):format(name, tostring(rest)), function()

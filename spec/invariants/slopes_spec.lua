@@ -105,7 +105,7 @@ end
 
 local NAMES = { "left", "right", "topleft", "topright" }
 
-describe("slopes", function()
+describe("slope: hills at random", function()
   it("bear walks over hills: no hit, no hop, no loss", function()
     local failures = {}
     for seed = 1, effort.isWhole and 300 or 20 do
@@ -406,7 +406,7 @@ end)
 --          .-'|  `--|
 --      .-'    |
 --  .-'________|
-describe("a hill below a roof that comes down", function()
+describe("slope: a hill below a roof that comes down", function()
   it("stops what walks up, where its corner meets the roof", function()
     for _, y in ipairs({ -400, 300 }) do
       local world = physics.newWorld({ gravity = 800 })
@@ -429,7 +429,7 @@ describe("a hill below a roof that comes down", function()
   end)
 end)
 
-describe("a slope that is met after a bounce in the same step", function()
+describe("slope: met after a bounce in the same step, it", function()
   --  -----------
   --      O         up, back from the ceiling, and off the slope
   --     .-'|

@@ -8,7 +8,7 @@ local physics = require("physics")
 
 local long = effort.isFirst and it or pending
 
-describe("a busy scene", function()
+describe("world:update: a busy scene", function()
   long("loses no object and keeps its memory", function()
     local world, length = busy.new(), effort.isWhole and 4000 or 500
     local n = 0
@@ -27,7 +27,7 @@ describe("a busy scene", function()
   end)
 end)
 
-describe("what falls for ever", function()
+describe("y and vy: what falls for ever", function()
   for _, broadphase in ipairs({ "grid", "pairs" }) do
     it("leaves nothing behind, " .. broadphase .. " #slow", function()
       local world = physics.newWorld({ gravity = 1000, broadphase = broadphase })
@@ -72,7 +72,7 @@ local function pile(shiftX, shiftY)
   return world, boxes
 end
 
-describe("ten million pixels from the origin", function()
+describe("x and y: ten million pixels from the origin", function()
   -- Neighbouring numbers are 1.9e-9 px apart there. Nothing overlaps by more than the 1e-6 px that
   -- are promised everywhere; paths differ from those at the origin by rounding alone.
   for _, row in ipairs({ { 1e7, 1e7 }, { -1e7, 1e7 }, { 1e7, -1e7 }, { -1e7, -1e7 } }) do

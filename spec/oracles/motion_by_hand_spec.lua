@@ -8,7 +8,7 @@ local braked, limited, inAir, bouncing, playLine =
   oracle.braked, oracle.limited, oracle.inAir, oracle.bouncing, oracle.playLine
 local huge, min, sqrt = math.huge, math.min, math.sqrt
 
-describe("vx, vy, ax and gravity: known by hand, a body", function()
+describe("vx, vy, ax, ay and gravity: known by hand, a body", function()
   -- Free motion
 
   class("flies on the parabola of its gravity and engine", EXACT, function(s)

@@ -49,7 +49,7 @@ local function balls(count, seed)
   return description
 end
 
-describe("momentum", function()
+describe("mass and restitution: momentum", function()
   --   +---+        +-+
   --   | 2 | 100 -> |1|
   --   +---+        +-+
@@ -94,7 +94,7 @@ describe("momentum", function()
   })
 end)
 
-describe("a closed box of bouncing boxes", function()
+describe("restitution and push: a closed box of bouncing boxes", function()
   -- a minute is long: two variants, one of them on interpreters
   local PLAIN = { shift = { 0 }, order = { "forward" }, broadphase = { "grid" }, push = { "both" } }
   local OTHER = { shift = { 1 / 3 }, order = { "shuffled" } }
@@ -162,7 +162,7 @@ end)
 -- 100 px in one: for a step they overlap, by less than the size of the smaller one (up to 20 px).
 local KNOT = 16
 
-describe("energy does not come out of nowhere", function()
+describe("restitution, friction and mass: energy does not come out of nowhere", function()
   --   +--+ 76
   --  +-------+ 0.001
   --  +-------+

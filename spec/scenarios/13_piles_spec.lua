@@ -242,7 +242,7 @@ end
 --          ##           16 at one spot
 --   ################
 -- They stayed one column, pressed into the ceiling for ever.
-describe("overlaps: a pile at one spot under a ceiling", function()
+describe("x and y: a pile at one spot under a ceiling", function()
   for _, row in ipairs({
     -- boxes, their size, height of the corridor, y of the spot above its floor
     { 16, 16, 64, 40 },

@@ -57,7 +57,7 @@ local function box(name, x, y, fields)
   return scene.maker("boxes", fields)(name, x, y, fields.width or 16, fields.height or 16)
 end
 
-describe("gravity up, left and right is gravity down, turned round:", function()
+describe("gravity and gravityX: up, left and right is down, turned round:", function()
   it("boxes bounce down stairs", function()
     local description = { FLOOR }
     for i = 1, 6 do

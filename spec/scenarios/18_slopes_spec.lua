@@ -59,7 +59,7 @@ end
 
 local row = play.with({ floorAt = floorAt })
 
-describe("slopes", function()
+describe("slope: hills", function()
   local function walker(v)
     return onHill(v.way > 0 and 20 or 420)
   end
@@ -82,7 +82,7 @@ describe("slopes", function()
 
   -- `m`: of the right edge: 44 px flat, 143.1 up, 116 flat, 90.5 down, flat
   local FAIR = onHill(20, { constantSpeed = true })
-  row("(P5) take as long as they are with constantSpeed", EVERYWHERE, FAIR, {
+  row("constantSpeed (P5): they take as long as they are", EVERYWHERE, FAIR, {
     "up, down = sqrt(128 ^ 2 + 64 ^ 2), sqrt(64 ^ 2 * 2)",
     {
       4,
@@ -255,13 +255,18 @@ describe("slopes", function()
     "body at 50, 376",
   })
 
-  row("tell the ground and its gradient", { rate = { 60 }, turn = { 0, 2 } }, onHill(20), {
-    0.5,
-    { "ground, gradient = world:ground(body.raw)", "ground == flat.raw", "gradient == 0" },
-    { 1, keep = "body.vx = 100" }, -- to x = 120
-    { "ground, gradient = world:ground(body.raw)", "ground.slope ~= nil", "gradient ~ -0.5" },
-    { "body.vy = -300", 0.5, "(world:ground(body.raw)) == nil" },
-  })
+  row(
+    "world:ground tells what it is, and the gradient",
+    { rate = { 60 }, turn = { 0, 2 } },
+    onHill(20),
+    {
+      0.5,
+      { "ground, gradient = world:ground(body.raw)", "ground == flat.raw", "gradient == 0" },
+      { 1, keep = "body.vx = 100" }, -- to x = 120
+      { "ground, gradient = world:ground(body.raw)", "ground.slope ~= nil", "gradient ~ -0.5" },
+      { "body.vy = -300", 0.5, "(world:ground(body.raw)) == nil" },
+    }
+  )
 
   local LEG = { solid("flat", -400, 400, 1200, 40), slope(80, 336, 128, 64, "right") }
   LEG[3] = body({ x = 250, y = 376 })
@@ -288,7 +293,7 @@ describe("slopes", function()
   })
 end)
 
-describe("slopes that are one-way", function()
+describe("slope and oneWay: hills", function()
   local function oneWay(v)
     local up = slope(80, 336, 128, 64, "right", { oneWay = "top" })
     return { solid("flat", -400, 400, 1200, 40), up, body({ x = v.x, y = v.y }) }
@@ -341,7 +346,7 @@ describe("slopes that are one-way", function()
   }, { "x, vx", { 104, -200 }, { 107, 200 }, { 121, 0 }, { 135, 200 }, { 121, -200 } })
 end)
 
-describe("slopes that move", function()
+describe("slope and kinematic: hills that move", function()
   local function moving(fields, ...)
     local entry = slope(80, 336, 128, 64, "right", { static = false, kinematic = true })
     return { scene.thing("ground", entry[2])(fields), ... }
@@ -431,7 +436,7 @@ describe("slopes that move", function()
   })
 end)
 
-describe("slopes and restitution", function()
+describe("slope and restitution: hills", function()
   --  a ball that falls on 45 degrees; its corner is at (50, 50) when it has fallen by 74 px
   local BOUNCY = slope(0, 0, 100, 100, "right", { restitution = 1 })
   local FALLS = { BOUNCY, body({ x = 34, y = -40, width = 16, height = 16 }) }

@@ -50,7 +50,7 @@ local function play(options, seconds, rate)
   return crowd
 end
 
-describe("a crowd", function()
+describe("x, vx and pushable: a crowd", function()
   it("of 300 presses for 20 s to an unpushable player, which stays #slow", function()
     play({ count = 300, seed = 1, goal = "firm", drive = "vx" }, 20, 60)
   end)

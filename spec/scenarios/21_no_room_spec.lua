@@ -213,7 +213,7 @@ local function wallsFor(name)
   return list
 end
 
-describe("boxes at one spot", function()
+describe("x and y: boxes at one spot", function()
   local function expectParted(row)
     scene.each(LEVELS, function(run)
       local description = join({ gravity = row[2].gravity }, row[2])
@@ -255,7 +255,7 @@ end)
 -- For rows that another interpreter plays.
 local function leaveOut() end
 
-describe("a closed room", function()
+describe("x, y and width: a closed room", function()
   -- (Boxes that are higher than the room begin inside two walls at once.)
   pending("of 200 x 14 px keeps in 20 boxes of about 14 px, of which some are higher than it")
 
@@ -318,7 +318,7 @@ describe("a closed room", function()
   end)
 end)
 
-describe("a heap", function()
+describe("add: a heap", function()
   it("takes one crate a step into its middle: all are apart 1.5 s later, and rest", function()
     scene.each(LEVELS, function(run)
       local description =
@@ -341,7 +341,7 @@ describe("a heap", function()
   end)
 end)
 
-describe("a machine that leaves no room", function()
+describe("kinematic: a machine that leaves no room", function()
   -- Red in 3 and in 4 of 24 variants: one goes 3 px further than it may, one creeps by 0.9 px.
   pending("a piston, 40 boxes of different sizes: none gets out, also when it goes back #slow")
   pending("two walls, 30 boxes of different sizes: none gets out, also when it goes back #slow")
@@ -389,7 +389,7 @@ describe("a machine that leaves no room", function()
   pending("40 boxes of different sizes come apart, too: a knot of them may stay in each other")
 end)
 
-describe("what has no room", function()
+describe("broadphase and rest: what has no room", function()
   -- Plays a description with some settings; returns the fold of all that it went through.
   local function foldOf(description, more, settings)
     local world = physics.newWorld(settings)

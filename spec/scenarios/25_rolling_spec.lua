@@ -71,7 +71,7 @@ local function near(expected, value, tolerance)
   assert.near(expected, value, tolerance or SHARE * math.max(1, math.abs(expected)))
 end
 
-describe("a ball on a slope", function()
+describe("slope and radius: a ball on a slope", function()
   for _, degrees in ipairs({ 10, 30, 45, 70 }) do
     it(("rolls down %d degrees by g sin, friction or not"):format(degrees), function()
       for n = 1, 6 do
@@ -239,7 +239,7 @@ describe("a ball on a slope", function()
   end)
 end)
 
-describe("a marble run", function()
+describe("slope and radius: a marble run", function()
   -- Three ramps, pins, a funnel. One ball after another is put to the top again.
   local function newRun(seed)
     local world, ground = newWorld(

@@ -73,7 +73,7 @@ local function energy(world, floor, gravity)
   return sum
 end
 
-describe("a ball", function()
+describe("radius: a ball", function()
   it("moves and collides as its square does where it meets faces only", function()
     local worlds = {}
     for n = 1, 2 do
@@ -367,7 +367,7 @@ describe("a ball", function()
   end)
 end)
 
-describe("a ball on a slope", function()
+describe("radius and slope: a ball on a slope", function()
   -- Its rim is on the line all the way, at g sin a along it.
   it("touches it with its rim, and rolls", function()
     for _, rate in ipairs(RATES) do
@@ -386,7 +386,7 @@ describe("a ball on a slope", function()
   end)
 end)
 
-describe("two balls that cannot be pushed", function()
+describe("radius and pushable: two balls that cannot be pushed", function()
   it("do not push each other, met slanted", function()
     for _, offset in ipairs({ 0, 4, 8, 12, 16 }) do
       local world = physics.newWorld({ gravity = 0 })

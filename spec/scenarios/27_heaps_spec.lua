@@ -179,7 +179,7 @@ describe("touching and onBegin: balls that lie side by side", function()
   end
 end)
 
-describe("a heap of balls", function()
+describe("radius: a heap of balls", function()
   for _, kind in ipairs({ "columns", "poured", "mixed" }) do
     it("comes to rest: " .. kind, function()
       for seed = 1, effort.share(4) do

@@ -32,7 +32,7 @@ local function overlap(a, b)
   )
 end
 
-describe("a knot", function()
+describe("x and y: a knot", function()
   it("without room is at rest within two seconds, and costs nothing then", function()
     local closet = newCloset()
     play(closet.world, 2)
