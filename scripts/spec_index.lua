@@ -191,7 +191,7 @@ local function isOf(file, page)
   return file.isPage and (file.name == page or file.name:sub(1, #page + 1) == page .. "_")
 end
 
--- The rows of pages. A file of no page, and a page of the guide or the reference without a file, are
+-- The rows of pages. A file of no page, and a page of the guide or reference without a file, are
 -- problems.
 local function pages(files, problems)
   local lines, isListed = { "## Pages\n\n| page | specs |\n|---|---|" }, {}
