@@ -87,11 +87,7 @@ end
 
 ---@return integer
 local function cellAt(coordinate, share)
-  local at = floor(coordinate * share)
-  if at > FAR or at < -FAR then
-    at = at > 0 and FAR or -FAR
-  end
-  return at
+  return max(min(floor(coordinate * share), FAR), -FAR)
 end
 
 -- `share` is 1 / buckets, exactly: the number of buckets is a power of two.

@@ -43,12 +43,8 @@ local function listParted(b, strays, count)
     else
       if contact(fatLow, fatHigh, 2 * strays[m], 2 * other[half]) < 0 then
         local p = floor(half * 0.5 + 0.5)
-        if
-          b.contact[p] == 0
-          and b.hit[p] == 0
-          and b.touches[p] == 0
-          and not (b.overlapping[p] or leaving[p])
-        then
+        local isNeeded = b.contact[p] ~= 0 or b.hit[p] ~= 0 or b.touches[p] ~= 0
+        if not (isNeeded or b.overlapping[p] or leaving[p]) then
           n = n + 1
           parted[n], leaving[p] = p, true
         end

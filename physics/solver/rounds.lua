@@ -30,8 +30,7 @@ local floor, max, min = math.floor, math.max, math.min
 local PARTING = 0.25
 -- Maximum number of impacts in a step of a body that overlaps others and has no room.
 local SPENT = 2
--- Maximum number of bodies in `b.bounced`, the list that later impacts of a round are compared
--- with.
+-- Maximum number of paths in `b.hulls`, with which later impacts of a round are compared.
 local BOUNCED = 256
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
@@ -82,42 +81,45 @@ local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
--- Returns whether the path of slot i, with its own length around it, meets that of a body in
--- b.bounced. The paths of those count as they are now and as they were swept.
+-- Notes the hull of the path of slot i, as it is now and as it was swept, if it is dynamic: it may
+-- have bounced in this round.
+local function noteBounced(b, i)
+  local hulls, from, to, swept, size = b.hulls, b.from, b.to, b.swept, b.size
+  local k, m, at = 2 * i, 2 * i + 1, 4 * b.bouncedCount
+  if b.kind[i] == DYNAMIC and b.bouncedCount < BOUNCED then
+    b.bouncedCount = b.bouncedCount + 1
+    hulls[at + 1], hulls[at + 2] = min(from[k], to[k], swept[k]), min(from[m], to[m], swept[m])
+    hulls[at + 3] = max(from[k], to[k], swept[k]) + size[k]
+    hulls[at + 4] = max(from[m], to[m], swept[m]) + size[m]
+  end
+end
+
+-- Returns whether the path of slot i, with its own length around it, meets one of b.hulls.
 local function meetsBounced(b, i)
-  local list, from, to, swept, size = b.bounced, b.from, b.to, b.swept, b.size
+  local hulls, from, to, size = b.hulls, b.from, b.to, b.size
   local k, l = 2 * i, 2 * i + 1
   local dx, dy = to[k] - from[k], to[l] - from[l]
   local reach = max(dx, -dx, dy, -dy)
   local left, top = min(from[k], to[k]) - reach, min(from[l], to[l]) - reach
   local right = max(from[k], to[k]) + size[k] + reach
   local bottom = max(from[l], to[l]) + size[l] + reach
-  for n = 1, b.bouncedCount do
-    local m = 2 * list[n]
-    local s, e, o = from[m], to[m], swept[m]
-    if max(s, e, o) + size[m] > left and min(s, e, o) < right then
-      local u, v, w = from[m + 1], to[m + 1], swept[m + 1]
-      if max(u, v, w) + size[m + 1] > top and min(u, v, w) < bottom then
-        return true
-      end
+  for at = 1, 4 * b.bouncedCount, 4 do
+    local isBeside = hulls[at + 2] <= left or hulls[at] >= right
+    if not (isBeside or hulls[at + 3] <= top or hulls[at + 1] >= bottom) then
+      return true
     end
   end
   return false
 end
 
 -- Notes that the dynamic ones of slots i and j have new paths. They take part in this round
--- (`takesPart`), so that what follows in it waits for the next one. `mayBounce`: so does what comes
--- near them.
-local function change(b, i, j, takesPart, mayBounce)
+-- (`takesPart`), so that what follows in it waits for the next one.
+local function change(b, i, j, takesPart)
   for n = 1, 2 do
     local k = n == 1 and i or j
     if b.kind[k] == DYNAMIC then
       path.change(b, k)
       b.inRound[k] = takesPart and b.roundStamp or b.inRound[k]
-      if mayBounce and b.bouncedCount < BOUNCED then
-        b.bouncedCount = b.bouncedCount + 1
-        b.bounced[b.bouncedCount] = k
-      end
     end
   end
 end
@@ -154,7 +156,7 @@ end
 -- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
 -- the rest of the step. Returns whether they met: a nudge may lead past.
 local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
-  change(b, i, j, true, b.hasBounces)
+  change(b, i, j, true)
   if b.hasNudges and not isLast and nudge.correct(b, p, i, j, axis, t) then
     return false
   end
@@ -179,10 +181,10 @@ local function happen(b, n, dt, isLast, isLate)
   if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
-  local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  local mayBounce, isNoted = max(b.restitution[i], b.restitution[j]) > 0, b.hasBounces
   if isDisturbed(b, i, mayBounce) or isDisturbed(b, j, mayBounce) then
-    change(b, i, j, not isSensed and (mayBounce or isRound), not isSensed and mayBounce)
-    isLast = isLast and not isSensed
+    change(b, i, j, not isSensed and (mayBounce or isRound))
+    isLast, isNoted = isLast and not isSensed, mayBounce and not isSensed
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
   then
@@ -191,11 +193,15 @@ local function happen(b, n, dt, isLast, isLate)
     impact.sense(b, p, i, j, axis, t, dt)
     return
   elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
-    return
+    isLast = false
   end
   if isLast then
     path.stop(b, i, t, isRound)
     path.stop(b, j, t, isRound)
+  end
+  if isNoted then
+    noteBounced(b, i)
+    noteBounced(b, j)
   end
 end
 
