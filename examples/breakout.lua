@@ -1,5 +1,5 @@
--- Balls bounce without losing speed. Bullets fly 200 px in a single step and miss no brick. A white
--- brick holds another ball. Where the ball hits the paddle decides where it goes.
+-- Balls bounce without losing speed. Bullets fly 200 px in a single step and miss no brick. A brick
+-- with a window holds another ball. Where the ball hits the paddle decides where it goes.
 
 local boxes = require("boxes")
 local input = require("input")
@@ -34,7 +34,7 @@ end
 local function breakBrick(brick, other)
   world:remove(brick)
   sparks.burst(brick, 8)
-  if brick.color == "white" then
+  if brick.hasBall then
     addBall(brick.x + (WIDTH - BALL) / 2, brick.y, other.x < brick.x and 1 or -1, 2)
   end
 end
@@ -74,8 +74,8 @@ function breakout.load()
   for i = 0, COLUMNS * #COLORS - 1 do
     local column, row = i % COLUMNS, math.floor(i / COLUMNS)
     local x, y = LEFT + 7 + column * (WIDTH + GAP), TOP + 40 + row * (HEIGHT + GAP)
-    local color = i % 17 == 8 and "white" or COLORS[row + 1]
-    boxes.add(world, "bricks", color, x, y, WIDTH, HEIGHT, { static = true, onBegin = breakBrick })
+    local brick = { static = true, onBegin = breakBrick, hasBall = i % 17 == 8 }
+    boxes.add(world, "bricks", COLORS[row + 1], x, y, WIDTH, HEIGHT, brick)
   end
   -- Solid only at its top: it never presses a ball against a wall.
   paddle = { kinematic = true, oneWay = "top", carry = false, onBegin = hitPaddle }
@@ -104,17 +104,25 @@ end
 
 breakout.mousepressed = shoot
 
+-- A brick with a ball in it has a window.
+local function drawHeldBalls()
+  for _, brick in ipairs(world.objects.bricks) do
+    if brick.hasBall then
+      local x, y = brick.x + WIDTH / 2, brick.y + HEIGHT / 2
+      look.color("night", 0.6)
+      love.graphics.rectangle("fill", x - 14, brick.y + 3, 28, HEIGHT - 6, (HEIGHT - 6) / 2)
+      look.color("white")
+      love.graphics.circle("fill", x, y, BALL / 2 - 1)
+    end
+  end
+end
+
 function breakout.draw()
   look.sky("night", "navy", "plum")
   look.color("cyan") -- the walls, as thin as they are
   love.graphics.rectangle("line", LEFT - 0.5, TOP - 0.5, RIGHT - LEFT + 1, 700)
   boxes.draw(world, "bricks balls bullets paddles", 0)
-  look.color("navy") -- the ball in a white brick
-  for _, brick in ipairs(world.objects.bricks) do
-    if brick.color == "white" then
-      love.graphics.circle("fill", brick.x + WIDTH / 2, brick.y + HEIGHT / 2, BALL / 2)
-    end
-  end
+  drawHeldBalls()
   sparks.draw()
   look.eyes(paddle.x + 28, paddle.y - 5, 64, 36, 0, -0.6)
   local bricks = #world.objects.bricks

@@ -54,8 +54,8 @@ function lifts.load()
   lifts.world, state = world, { time = 0, coins = 0, flattened = 0, untilCrate = 0 }
   world:setBounds(0, -300, 960, 856) -- four walls; the lower one is the floor
   boxes.add(world, "walls", "slate", 436, 354, 16, 98, { static = true })
-  boxes.add(world, "belts", "night", 250, 330, 330, 24, { static = true, surfaceSpeed = 90 })
-  boxes.add(world, "belts", "night", 400, 460, 310, 24, { static = true, surfaceSpeed = -110 })
+  boxes.add(world, "belts", "slate", 250, 330, 330, 24, { static = true, surfaceSpeed = 90 })
+  boxes.add(world, "belts", "slate", 400, 460, 310, 24, { static = true, surfaceSpeed = -110 })
   for i = 0, 3 do
     local y = 466 - i * 90
     boxes.add(world, "shelves", "teal", 790, y, 130, 12, { static = true, oneWay = "top" })

@@ -16,7 +16,7 @@ local EXAMPLES = {
   { name = "tutorial", title = "Tutorial", text = "How such an engine works, in ten steps." },
   { name = "lifts", title = "Lifts", text = "Riders, belts, one-way shelves, a press." },
   { name = "topdown", title = "Top-down", text = "Rooms, narrow doors, crates, a ghost." },
-  { name = "survivors", title = "Survivors", text = "A thousand enemies around you." },
+  { name = "survivors", title = "Survivors", text = "Hundreds of enemies around you." },
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },

@@ -18,6 +18,7 @@ local LEFT, RIGHT, FLOOR = 140, 820, 586 -- px, the inside of the container
 local WALL = 20 -- px
 local ROUNDING = 1e-6 -- px by which what is pressed may overlap
 local CELL = 23 -- px, room for one box when they are dropped
+local LAYER = 3 -- rows of one colour, which lie upon each other as they fell
 local FIRST, STEP, MOST = 600, 100, 1500 -- boxes; of others half as many
 local KINDS = { "boxes", "balls", "both" }
 local COLORS = { "red", "orange", "yellow", "lime", "green", "cyan", "sky", "blue" }
@@ -49,7 +50,7 @@ local function addBoxes(count, bottom)
       radius = isBall(i) and width / 2 or nil,
       vx = random:random(-40, 40),
       friction = 0.3,
-      color = COLORS[random:random(#COLORS)],
+      color = COLORS[math.floor(row / LAYER) % #COLORS + 1],
     })
   end
 end

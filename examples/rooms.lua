@@ -284,6 +284,9 @@ function rooms.draw()
     if not map.level then
       look.color("night", 0.7)
       love.graphics.rectangle("fill", map.x, map.y, map.width, map.height)
+      look.color("silver")
+      local words = map.name .. ": not in the world"
+      look.text(words, map.x, map.y + map.height / 2 - 12, 18, map.width, "center")
     end
   end
   love.graphics.pop()

@@ -204,7 +204,6 @@ function tiled.draw()
   tiledMap.drawBelts(world.objects.belts, state.time)
   sparks.draw()
   love.graphics.pop()
-  look.panel(12, 4, 560, 32)
   boxes.status({
     "yellow",
     ("%d of %d coins"):format(state.coins, state.coinsInLevel),

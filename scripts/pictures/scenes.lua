@@ -7,6 +7,7 @@ local scenes = {}
 
 local DT = 1 / 60
 local WORDS = { 0.78, 0.8, 0.85 }
+local ARROWS = { 1, 0.8, 0.46 }
 
 local function play(world, seconds, each)
   for _ = 1, math.floor(seconds / DT + 0.5) do
@@ -37,6 +38,16 @@ end
 local function write(text, x, y)
   love.graphics.setColor(WORDS)
   love.graphics.printf(text, x - 100, y, 200, "center")
+end
+
+-- An arrow along an axis.
+local function arrow(x1, y1, x2, y2)
+  local dx, dy = x2 > x1 and 1 or x2 < x1 and -1 or 0, y2 > y1 and 1 or y2 < y1 and -1 or 0
+  love.graphics.setColor(ARROWS)
+  love.graphics.setLineWidth(2)
+  love.graphics.line(x1, y1, x2 - 8 * dx, y2 - 8 * dy)
+  local x, y, across, up = x2 - 10 * dx, y2 - 10 * dy, 5 * dy, 5 * dx
+  love.graphics.polygon("fill", x2, y2, x + across, y + up, x - across, y - up)
 end
 
 -- All kinds of objects side by side, with their names.
@@ -73,6 +84,49 @@ scenes["guide-contacts"] = function()
   addBox(world, 574, 160, 32, 40, { friction = 0.6 })
   play(world, 1)
   world:draw()
+  write("touching.bottom\nis the floor", 116, 188)
+  write("a stack is flush:\ngap 0, velocity 0", 440, 60)
+  write("touching.top\nis the box on it", 664, 204)
+end
+
+-- What a platform does: riders, a belt, and what is caught below a ceiling.
+scenes["guide-platforms"] = function()
+  local world = physics.newWorld({ gravity = 800 })
+  addStatic(world, 0, 260, 720, 24)
+  addBox(world, 60, 190, 130, 18, { kinematic = true })
+  addBox(world, 90, 150, 40, 40)
+  addBox(world, 98, 122, 28, 28)
+  addStatic(world, 290, 200, 180, 18, { surfaceSpeed = 90 })
+  addBox(world, 300, 160, 40, 40)
+  addStatic(world, 560, 60, 120, 18)
+  local lift = addBox(world, 560, 150, 120, 18, { kinematic = true })
+  addBox(world, 600, 106, 40, 44)
+  play(world, 0.3)
+  lift.vy = -100
+  play(world, 0.3)
+  world:draw()
+  write("riders", 46, 140)
+  arrow(66, 150, 86, 150)
+  write("a lift: kinematic", 125, 214)
+  arrow(190, 199, 230, 199)
+  write("a belt: surfaceSpeed", 380, 224)
+  arrow(345, 180, 385, 180)
+  write("caught: onCrush", 620, 34)
+  arrow(550, 190, 550, 140)
+end
+
+-- All that `world:draw` can show.
+scenes["guide-debugging"] = function()
+  local world = physics.newWorld({ gravity = 800 })
+  addStatic(world, 0, 260, 720, 40)
+  addStatic(world, 420, 190, 120, 12, { oneWay = "top" })
+  world:add("players", { x = 80, y = 150, width = 40, height = 50, vx = 420, vy = -120 })
+  world:add("lifts", { x = 250, y = 210, width = 110, height = 14, kinematic = true, vy = -300 })
+  world:add("crates", { x = 280, y = 170, width = 40, height = 40 })
+  world:add("coins", { x = 470, y = 150, width = 20, height = 20, static = true, sensor = true })
+  world:add("crates", { x = 620, y = 212, width = 48, height = 48 })
+  play(world, 0.05)
+  world:draw({ velocity = true, names = true, counters = true })
 end
 
 -- One-way ledges, a sensor, an inactive box and one that passes through a wall.
@@ -111,6 +165,11 @@ scenes["guide-queries"] = function()
   love.graphics.circle("fill", x, y, 5)
   love.graphics.setColor(1, 1, 1)
   world:draw()
+  love.graphics.setColor(0.1, 0.11, 0.17, 0.9)
+  love.graphics.rectangle("fill", x - 70, y + 12, 140, 18, 4)
+  write("the rays begin here", x, y + 13)
+  write("hit at x, y", 660, 214)
+  write("hidden: not hit", 88, 92)
 end
 
 return scenes

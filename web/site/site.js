@@ -22,15 +22,22 @@ for (const example of document.querySelectorAll(".example")) {
   if (example.dataset.example === wished) start(example);
 }
 
-// Clips play while they are seen; where less motion is wished, when their reader wants.
+// Clips play while they are seen. Where less motion is wished they show one picture, and play when their
+// reader wants.
 const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
-const seen = new IntersectionObserver((entries) => {
-  for (const { target, isIntersecting } of entries) isIntersecting ? target.play().catch(() => {}) : target.pause();
-});
-for (const clip of document.querySelectorAll("video.clip")) {
-  if (!isStill) seen.observe(clip);
-  else if (!clip.closest("button")) clip.controls = true;
+function show(clip) {
+  seen.unobserve(clip);
+  clip.addEventListener("loadedmetadata", () => (clip.currentTime = clip.duration / 2), { once: true });
+  clip.preload = "auto";
+  clip.controls = !clip.closest("button");
 }
+const seen = new IntersectionObserver((entries) => {
+  for (const { target, isIntersecting } of entries) {
+    if (isStill) isIntersecting && show(target);
+    else isIntersecting ? target.play().catch(() => {}) : target.pause();
+  }
+});
+for (const clip of document.querySelectorAll("video.clip")) seen.observe(clip);
 
 // A whole program, which needs nothing that the playground does not have.
 const MISSING = /love\.(audio|filesystem|joystick|sound|system|thread|touch)|graphics\.new(?!Font)/;
