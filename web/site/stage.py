@@ -97,6 +97,7 @@ HERO = """\
 <div class="hero example" data-example="hills">
 <button type="button">{video}<span>▶ Play</span></button>
 </div>
+<p class="hero-words">{words}</p>
 <p class="hero-links">
 <a href="{repository}/releases/latest/download/physics.lua">Download one file</a>
 <a href="examples/">Play the examples</a>
@@ -189,7 +190,9 @@ def add_hero(markdown):
     picture = markdown.index("<video")
     video = markdown[picture : markdown.index("</video>") + len("</video>")]
     end = markdown.index("```lua")
-    return markdown[:picture] + HERO.format(repository=REPOSITORY, video=video) + "\n" + markdown[end:]
+    words = re.search(r"^\*(.+)\*$", markdown[picture:end], re.MULTILINE)[1]
+    hero = HERO.format(repository=REPOSITORY, video=video, words=words)
+    return markdown[:picture] + hero + "\n" + markdown[end:]
 
 
 ANIMATION = re.compile(r"!\[([^\]]*)\]\(([^)\s]+)\.(?:webp|gif)\)(?:\{ loading=lazy \})?")
