@@ -26,9 +26,9 @@ same texts while you type. The [guide](guide/index.md) explains the ideas.
 - Every method of a world is also a function of the module, for the default world:
   `physics.update(dt)`.
 - A wrong value raises an error at the line of your game, and nothing has changed.
-- Refused everywhere: NaN and infinity, sizes that are not above 0, and a change from inside
-  `canCollide`. So are objects that are not in the world, and a filter or a list `out` of a wrong
-  type. The entries list other errors only.
+- Refused everywhere: arguments, fields, settings and options that are unknown or of a wrong type
+  or range; NaN and infinity; objects that are not in the world; a change from inside
+  `canCollide`. The entries list other errors only.
 ]]
 
 local FIELDS = [[
@@ -273,6 +273,21 @@ local COMMON = {
   "`out` is not a table",
   "a size is <= 0",
   "the radius is <= 0",
+  "a setting is unknown or has a value that cannot be used",
+  "an unknown option, or a wrong value for one",
+  "a field has a value that cannot be used",
+  "a field of an object cannot be used",
+  "a field or setting that `update` would refuse",
+  "a group, key, field or setting has a value that cannot be used (nothing has changed then)",
+  "the group is not a string or a number",
+  "dt is not a number >= 0",
+  "the count is not an integer >= 1",
+  "`vx`, `vy` or `mass` of an object cannot be used",
+  "its `vx`, `vy` or `mass` cannot be used",
+  "a number is missing, NaN or infinite",
+  "`a` or `b` has no usable x, y, width, height",
+  "`sideBySide` is not a boolean",
+  "the cells, the size or an option cannot be used",
 }
 
 -- Returns the errors of a function that are its own, or nil.
