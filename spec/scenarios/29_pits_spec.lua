@@ -1,0 +1,98 @@
+--- Pits: balls, and boxes among them, in a room of a few of their widths. They stay in it, come to
+--- rest, and go on from a state.
+
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local function wall(world, x, y, width, height)
+  world:add("walls", { x = x, y = y, width = width, height = height, static = true })
+end
+
+-- A pit 60 px wide with `count` balls at random places above each other. `change` may change each
+-- before it is added.
+local function newPit(count, seed, change)
+  local world, random = physics.newWorld({ gravity = 800 }), newRandom(seed)
+  wall(world, -40, 400, 140, 40)
+  wall(world, -40, 0, 40, 400)
+  wall(world, 60, 0, 40, 400)
+  for i = 1, count do
+    local ball = { radius = random:between(6, 10) }
+    ball.x, ball.y = random:between(0, 60 - 2 * ball.radius), 400 - 24 * i
+    change(ball, random, i)
+    world:add("balls", ball)
+  end
+  return world
+end
+
+-- The deepest overlap of a ball and the pit.
+local function depthIn(world)
+  local deepest = 0
+  for _, one in ipairs(world.objects.balls) do
+    deepest = math.max(deepest, -one.x, one.x + one.width - 60, one.y + one.height - 400)
+  end
+  return deepest
+end
+
+describe("radius: balls in a pit", function()
+  -- Balls, the number of the scene, and the number of steps.
+  it(
+    "stay between its walls, with any masses, in others, and with some that nothing pushes",
+    function()
+      local function weigh(ball, random)
+        ball.mass = 10 ^ random:between(-6, 6)
+      end
+      local function fix(ball, random)
+        ball.pushable = random:between(0, 1) > 0.3
+      end
+      local function crowd(ball, random)
+        weigh(ball, random)
+        ball.y = 400 - 2 * ball.radius - random:between(0, 60)
+      end
+      local rows =
+        { { 3, 25, weigh, 24 }, { 6, 26, weigh, 40 }, { 2, 13, fix, 20 }, { 10, 19, fix, 40 } }
+      for seed = 1, 20 do
+        rows[#rows + 1] = { 12, seed, crowd, 40 }
+      end
+      for _, row in ipairs(rows) do
+        local world = newPit(row[1], row[2], row[3])
+        for _ = 1, row[4] do
+          world:update(1 / 60)
+          assert.is_true(depthIn(world) < 1e-6, depthIn(world))
+        end
+      end
+    end
+  )
+
+  it("come to rest with boxes between the balls", function()
+    for _, row in ipairs({ { 8, 12 }, { 8, 54 }, { 12, 3 }, { 12, 40 }, { 20, 21 }, { 20, 35 } }) do
+      local world = newPit(row[1], row[2], function(object, _, i)
+        if i % 3 == 0 then
+          object.width, object.height, object.radius = 2 * object.radius, 2 * object.radius, nil
+        end
+      end)
+      for _ = 1, 720 do
+        world:update(1 / 60)
+      end
+      assert.are.equal(row[1], world.stats.resting)
+    end
+  end)
+
+  -- In the first one a ball is stuck in the step, in the second one two press each other.
+  it("go on as they were when they are restored, with a gravity of each ball", function()
+    for _, row in ipairs({ { 4, 33, 59 }, { 10, 29, 34 } }) do
+      local world = newPit(row[1], row[2], function(ball, random, i)
+        if i % 2 == 0 then
+          ball.gravityX, ball.gravity = random:between(-500, 500), random:between(-500, 500)
+        end
+      end)
+      for _ = 1, row[3] do
+        world:update(1 / 60)
+      end
+      local other = physics.newWorld()
+      other:restore(world:save())
+      world:update(1 / 60)
+      other:update(1 / 60)
+      assert.are.equal(world:hash(), other:hash())
+    end
+  end)
+end)
