@@ -24,6 +24,8 @@ if jit and jit.opt then
   jit.opt.start("maxtrace=20000", "maxmcode=60000", "sizemcode=256", "maxirconst=2000")
 end
 
+require("spec.support.pairs")
+
 local bounds = require("spec.fuzz.bounds")
 local case = require("spec.fuzz.case")
 local crowded = require("spec.fuzz.crowded")

@@ -346,6 +346,7 @@ while arg[first - 1] do
 end
 arg = { [-1] = arg[first], [0] = "busted" }
 install()
+require("spec.support.pairs")
 if os.getenv("PHYSICS_LUA") then
   dofile("scripts/interpreter.lua")
 end

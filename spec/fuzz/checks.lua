@@ -145,8 +145,8 @@ end
 -- Lists the objects in the game's tables.
 function Watch:look()
   self.all, self.groupOf = {}, {}
-  for group, members in next, self.player.world.objects do
-    for _, object in next, members do
+  for group, members in pairs(self.player.world.objects) do
+    for _, object in pairs(members) do
       self.groupOf[object] = group
       self.all[#self.all + 1] = object
     end
@@ -195,7 +195,7 @@ function Watch:noteStatics()
 end
 
 function Watch:checkStatics()
-  for object, copy in next, self.statics do
+  for object, copy in pairs(self.statics) do
     for _, field in ipairs(self:isSettled(object) and KEPT or {}) do
       if object[field] ~= copy[field] then
         return "static", ("%s: %s has changed"):format(nameOf(self, object), field)
@@ -211,7 +211,7 @@ function Watch:noteDepths()
     if isDynamic(a) then
       local row = {}
       self.depths[a] = row
-      for object in next, self.statics do
+      for object in pairs(self.statics) do
         row[object] = max(0, depth(a, object))
       end
     end
@@ -224,7 +224,7 @@ function Watch:checkDepths()
   for _, a in ipairs(self.all) do
     local row, id = self.depths[a], self.player.idOf[a]
     if row and isDynamic(a) and self:isSettled(a) and not self.crushed[id] then
-      for object, before in next, row do
+      for object, before in pairs(row) do
         local now = depth(a, object)
         if
           now > before + most(a, object, checks.ROUND_KNOT, slack(a, object))
@@ -289,7 +289,7 @@ end
 -- A crushed object stays so until it overlaps nothing that it could push, and the world no longer
 -- holds it. Of a crushed row, one alone may be inside the wall for a step.
 function Watch:updateCrushed()
-  for id in next, self.crushed do
+  for id in pairs(self.crushed) do
     local a, bodies = self.player.list[id], self.player.world._bodies
     local k = 2 * (bodies.slotOf[a] or 0)
     local isFree = not (bodies.wasCrushed[k] or bodies.wasCrushed[k + 1])
@@ -425,7 +425,7 @@ end
 -- Contacts that were begun and not ended are there, and no others.
 function Watch:checkContacts()
   local world = self.player.world
-  for key, contact in next, self.open do
+  for key, contact in pairs(self.open) do
     local a, b = contact[1], contact[2]
     if self:isSettled(a) and self:isSettled(b) then
       if not self.groupOf[a] or not self.groupOf[b] then
@@ -483,7 +483,7 @@ end
 function Watch:noteSums()
   if self.closed then
     self.floor = 0
-    for object in next, self.statics do
+    for object in pairs(self.statics) do
       self.floor = max(self.floor, object.y)
     end
     self.kinetic, self.potential, self.x, self.y, self.sizeX, self.sizeY = self:sums()
@@ -585,7 +585,7 @@ function Watch:before()
   self:noteDepths()
   self:noteOverlaps()
   self.hits = {}
-  for key in next, self.open do
+  for key in pairs(self.open) do
     self.hits[key] = true
   end
   self:noteSums()

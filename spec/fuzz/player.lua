@@ -24,7 +24,7 @@ local function copyOf(value)
     return value
   end
   local copy = {}
-  for key, entry in next, value, nil do
+  for key, entry in pairs(value) do
     copy[key] = copyOf(entry)
   end
   return copy
@@ -161,7 +161,7 @@ function acts.write(player, id, fields)
   if object then
     note(player, id)
     local wasStatic = object.static
-    for name, value in next, fields, nil do
+    for name, value in pairs(fields) do
       if not isUnfit(object, name, value) then
         object[name] = copyOf(value)
       end
@@ -200,8 +200,8 @@ end
 
 -- The place of an object in the game's tables.
 local function find(world, object)
-  for _, members in next, world.objects, nil do
-    for key, member in next, members, nil do
+  for _, members in pairs(world.objects) do
+    for key, member in pairs(members) do
       if member == object then
         return members, key
       end
@@ -418,7 +418,7 @@ end
 function player.new(case, own)
   local self = blank(highestId(case.acts))
   local settings = copyOf(case.settings)
-  for name in next, own and OWN or {}, nil do
+  for name in pairs(own and OWN or {}) do
     settings[name] = own[name]
   end
   self.own = own
@@ -452,13 +452,13 @@ end
 -- Pairs the objects in the tables of two worlds, and those that they touch, which may have left
 -- them.
 local function pairPresent(self, other)
-  for group, members in next, other.world.objects, nil do
-    for key, its in next, members, nil do
+  for group, members in pairs(other.world.objects) do
+    for key, its in pairs(members) do
       local mine = self.world.objects[group][key]
       pair(self, other, mine, its)
       -- An object that is not dynamic any more keeps the table that it had; its copy never gets
       -- one.
-      for side, neighbour in next, mine.touching and its.touching or {}, nil do
+      for side, neighbour in pairs(mine.touching and its.touching or {}) do
         pair(self, other, mine.touching[side], neighbour)
       end
     end
@@ -486,7 +486,7 @@ function player.copy(other, own)
   pairKnown(self, other)
   pairPresent(self, other)
   pairTold(self, other)
-  for id, object in next, other.list, nil do
+  for id, object in pairs(other.list) do
     if not self.list[id] then -- not in the world: nothing else will look at it again
       local touching = object.touching
       object.touching = nil
@@ -496,12 +496,12 @@ function player.copy(other, own)
     end
   end
   listen(self)
-  for name, list in next, other.reactions, nil do
+  for name, list in pairs(other.reactions) do
     self.reactions[name] = { done = list.done, acts = list.acts }
     local id, event = name:match("^(%d+)(.*)$")
     hear(self, tonumber(id), event)
   end
-  for id, modulus in next, other.refusals, nil do
+  for id, modulus in pairs(other.refusals) do
     self.refusals[id] = modulus
     refuse(self, id, modulus)
   end

@@ -80,7 +80,7 @@ end
 
 local function sortedKeys(list)
   local keys = {}
-  for key in next, list do
+  for key in pairs(list) do
     keys[#keys + 1] = key
   end
   table.sort(keys, function(a, b)

@@ -41,7 +41,7 @@ local function entries(list)
   for n = 1, #list do
     texts[n] = value(list[n])
   end
-  for key in next, list do
+  for key in pairs(list) do
     if not (type(key) == "number" and key >= 1 and key <= #list and key % 1 == 0) then
       keys[#keys + 1] = key
     end
