@@ -434,7 +434,7 @@ local function addType(lines, entry)
   addText(lines, entry.text)
   local shown, isElsewhere = {}, ON_MAPS_PAGE[entry.name]
   if isElsewhere then
-    add(lines, "The page [Maps](../maps.md) lists its fields.", "")
+    add(lines, "Fields: [Maps](../maps.md).", "")
   end
   for _, field in ipairs(entry.fields) do
     if field.name:find("^%a") and not isElsewhere then
@@ -565,7 +565,7 @@ local function addMenu(lines, page, owner)
       names[#names + 1] = ("[%s](%s)"):format(each.entry.name, anchorOf(each.name))
     end
   end
-  add(lines, table.concat(names, " · "), "")
+  add(lines, table.concat(names, ", "), "")
 end
 
 local function addFunctions(lines, page, owner)
