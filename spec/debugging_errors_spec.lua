@@ -353,13 +353,11 @@ local NO_WORLD = "the object is not in the world (removed, or never added)"
 describe("every function: a call", function()
   local BOX, PLAYER, CRATE = "box", "player", "crate" -- stand for objects of the world
   local group = "group must be a string or a number, got "
-  local example = ' as in world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })'
   -- what is said, the method, its arguments
   for _, row in ipairs({
     { ADD .. group .. "nil", "add", nil, object() },
     { ADD .. group .. "table (the group comes first, then the object)", "add", {}, object() },
     { ADD .. group .. "nan", "add", NAN, object() },
-    { ADD .. "the place is a part of the object," .. example, "add", object(), 1, 2 },
     { ADD .. "object must be a table, got nil", "add", "boxes" },
     { ADD .. "the object already stands at objects.boxes[1]", "add", "crates", BOX },
     { ADD .. "the object already stands at objects.player", "add", "crates", PLAYER },

@@ -104,10 +104,7 @@ describe("world:loadLDtk", function()
         nil,
         tiled.copyInto({ solid = {} }, row[2])
       )
-      table.remove(level.unsupported) -- that there is no wall, or that it falls
-      if row[1].mass then
-        table.remove(level.unsupported)
-      end
+      table.remove(level.unsupported) -- that there is no wall
       assert.equal(row[3], tiled.show(level, world))
     end)
   end

@@ -212,7 +212,6 @@ describe("world:loadLDtk refuses", function()
     { nil, nil, "project must be a decoded LDtk project, got nil" },
     { "a.ldtk", nil, 'project must be a decoded LDtk project, got "a.ldtk"' },
     { {}, nil, "project.levels must be a table, got nil" },
-    { { jsonVersion = "0.5.1" }, nil, "project is of LDtk 0.5.1: save it with LDtk 0.8 or later" },
     { ldtk.cave(), "Attic", levels:format('"Attic"') .. ' "Cave", "Top"' },
     { ldtk.cave(), 3, levels:format("3") .. ' "Cave", "Top"' },
     { ldtk.cave(), {}, "level.layerInstances must be a table, got nil" },

@@ -152,21 +152,6 @@ describe("loadTiled: an object of a map", function()
     assert.equal(text, reasonsOf((loadLDtk({ ldtk.entities("Things", { light }) }))))
   end)
 
-  it("falls out of the map: that is named, with the cure", function()
-    local crate = newBox("Crate", { mass = 1 }, { x = 300 })
-    local map = things(newBox("Crate", { mass = 1 }), crate, newBox("Wall", {}, { x = 16, y = 64 }))
-    local level = load(map, nil, { gravity = 9 })
-    local cure = 'write static = true, or kinds = { ["Crate"] = "static" }'
-    assert.equal("it falls: no wall is below it; " .. cure, reasonsOf(level))
-    assert.same(
-      { crate, "things", 300 },
-      { level.unsupported[1].object, level.unsupported[1].layer, level.unsupported[1].x }
-    )
-    assert.equal("", reasonsOf((load(map))))
-    crate.properties.gravity = 0
-    assert.equal("", reasonsOf((load(map, nil, { gravity = 9 }))))
-  end)
-
   it("has what the project says of its class, members that are classes, too", function()
     local function class(name, ...)
       return { name = name, type = "class", members = { ... } }
@@ -344,16 +329,6 @@ describe("loadTiled: a level", function()
       assert.equal('property "width": the editor\'s own value counts x25', reasonsOf(level))
     end
   )
-
-  it("says that its map is there already", function()
-    local map, world = newMap({ tiled.tiles(1, "walls", { "1." }) }), physics.newWorld()
-    local first = world:loadTiled(map)
-    assert.equal("", reasonsOf(first))
-    local twice = "the map is here already: all of it is there twice"
-    assert.equal(twice, reasonsOf(world:loadTiled(map)))
-    assert.equal("", reasonsOf(world:loadTiled(map, { x = 99 })))
-    assert.equal("", reasonsOf(physics.newWorld():loadTiled(map)))
-  end)
 
   it("of a checked world is not loaded with a slip, unless that is the game's own", function()
     local tiles = { { id = 0, properties = { solid = true, Mass = 5 } } }

@@ -267,7 +267,7 @@ describe("ownFields", function()
     for _, row in ipairs({
       { print, "hp must be a number, string, boolean or a table of these, got function" },
       { 0 / 0, "got nan" },
-      { math.huge, "got inf (take a large number" },
+      { math.huge, "got inf" },
       { { 1, { print } }, "objects.men[2].hp must be" },
       { { [true] = 1 }, "the key of a table in objects.men[2].hp must be" },
       { cycle, "tables in tables, or a cycle" },

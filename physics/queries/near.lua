@@ -164,9 +164,9 @@ local function checkMissed(v, b)
   end
 end
 
---- Begins a query: looks at what has changed, and returns an empty catch.
+--- Begins a query: looks at what has changed, and returns an empty catch, with its filter.
 --- Errors: those of an update, a group, key or place that cannot be used.
-function near.begin(world)
+function near.begin(world, wanted)
   local b = world._bodies
   local v = b.view or newView()
   b.view = v
@@ -184,7 +184,8 @@ function near.begin(world)
       c[name] = {}
     end
   end
-  c.count, c.masks, c.soft, c.hitLists = 0, world.masks or false, b.soft, b.hitLists
+  c.count, c.filter = 0, wanted
+  c.masks, c.soft, c.hitLists = world.masks or false, b.soft, b.hitLists
   return c
 end
 

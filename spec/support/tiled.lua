@@ -11,10 +11,10 @@ tiled.FLIP_X, tiled.FLIP_Y, tiled.TRANSPOSE = 2147483648.0, 1073741824.0, 536870
 function tiled.load(map, options)
   local world = physics.newWorld({ gravity = 800 })
   local level = world:loadTiled(map, options)
-  -- That a map has no wall, and what falls then, is told by rows of its own.
+  -- That a map has no wall is told by rows of its own.
   for i = #level.unsupported, 1, -1 do
     local entry = level.unsupported[i]
-    if entry.kind == "map" or entry.reason:find("^it falls") then
+    if entry.kind == "map" then
       level.missed = table.remove(level.unsupported, i)
     end
   end
