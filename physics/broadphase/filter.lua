@@ -3,40 +3,26 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local forms = require(root .. ".fields.forms")
 
 local filter = {}
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
-local max = math.max
 -- So many different lists of `hits` are shared by the objects that have equal ones.
 local MOST_LISTS = 16
-
---- Returns whether a list of `hits` says what was read, or neither is there (nil or false).
-function filter.isSameHits(list, read)
-  if type(list) ~= "table" or not read then
-    return not list and not read
-  end
-  local names = read.names
-  for n = 1, max(#names, #list) do
-    if list[n] ~= names[n] then
-      return false
-    end
-  end
-  return true
-end
 
 --- Returns what the library keeps of a list of `hits`: `names`, a copy, and `has`, by name. Objects
 --- with equal lists share it.
 function filter.readHits(b, list)
   local lists = b.hitLists
   for n = 1, #lists do
-    if filter.isSameHits(list, lists[n]) then
+    if forms.isSame(list, lists[n].names) then
       return lists[n]
     end
   end
-  local read = { names = {}, has = {} }
+  local read = { names = forms.copy(list), has = {} }
   for n = 1, #list do
-    read.names[n], read.has[list[n]] = list[n], true
+    read.has[list[n]] = true
   end
   lists[#lists % MOST_LISTS + 1] = read
   return read

@@ -56,10 +56,8 @@ local function newView()
     isFresh = false, -- all was compared since the last step or change
     registry = false, -- the groups as they were seen last: those of the world, or later ones
     rankOf = false, -- by object, if they are later ones; recordOf and keyOf as well
-    guests = {},
-    guestCount = 0,
+    guests = {}, -- objects
     strays = {}, -- slots
-    strayCount = 0,
     strayAt = {}, -- by slot: `looks` when it was one
     looks = 0,
     pool = {}, -- of catches
