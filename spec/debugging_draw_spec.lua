@@ -45,13 +45,13 @@ local function newRecorder()
   return graphics, calls
 end
 
--- What was drawn, in order: "x y width height" of rectangles, "circle line x y radius", "polygon
--- fill x y …" of others; " @0.4" behind what is not opaque.
+-- What was drawn, in order: "x y width height" of rectangles, "fill x y width height radius" of
+-- round ones, "polygon fill x y …" of others; " @0.4" behind what is not opaque.
 local function shapes(calls)
   local found = {}
   for n, call in ipairs(calls) do
-    local isRectangle = call.name == "rectangle"
-    local text = isRectangle and {} or { call.name, call[1] }
+    local isRound, isPlain = call[6] ~= nil, call.name == "rectangle"
+    local text = isPlain and { isRound and call[1] or nil } or { call.name, call[1] }
     for i = 2, #call do
       text[#text + 1] = ("%g"):format(call[i])
     end
@@ -97,8 +97,8 @@ describe("draw", function()
   for _, row in ipairs({
     { "a box with a border", {}, nil, BOTH },
     { "more of a thin one than its border", { height = 2 }, nil, "10 20 16 2|10.5 20.5 15 1" },
-    { "a circle", { radius = 8 }, nil, "circle fill 18 28 8|circle fill 18 28 7" },
-    { "a round sensor", { radius = 8, sensor = true }, nil, "circle line 18 28 8" },
+    { "a circle", { radius = 8 }, nil, "fill 10 20 16 16 8|fill 11 21 14 14 7" },
+    { "a round sensor", { radius = 8, sensor = true }, nil, "line 10 20 16 16 8" },
     { "a sensor as an outline", { sensor = true, static = true }, nil, RIM },
     { "outlines with fill = false", {}, { fill = false }, RIM },
     {

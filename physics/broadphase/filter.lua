@@ -45,8 +45,6 @@ function filter.refusal(b, i, j)
   end
 end
 
-local refusal = filter.refusal
-
 --- Returns whether two objects are soft to each other: then they drift apart instead of colliding
 --- (see drift). Static objects and sensors are soft to nothing.
 function filter.isSoft(b, i, j)
@@ -58,27 +56,19 @@ function filter.isSoft(b, i, j)
     and not (b.sensor[i] or b.sensor[j])
 end
 
---- Returns why two objects never meet (a word for `explain`), or nil if they can.
+--- Returns why two objects cannot meet (a word for `explain`), or nil if they can.
 function filter.reason(b, i, j)
-  local kindI, kindJ = b.kind[i], b.kind[j]
+  local mostFree = max(b.kind[i], b.kind[j])
   if not (b.active[i] and b.active[j]) then
     return "inactive"
   end
-  if kindI ~= DYNAMIC and kindJ ~= DYNAMIC then
-    if kindI == STATIC and kindJ == STATIC or not (b.sensor[i] or b.sensor[j]) then
-      return "immovable"
-    end
-  end
-  if filter.isSoft(b, i, j) then -- most, in a crowd
+  if mostFree == STATIC or mostFree < DYNAMIC and not (b.sensor[i] or b.sensor[j]) then
+    return "immovable"
+  elseif filter.isSoft(b, i, j) then -- most, in a crowd
     return "soft"
-  elseif refusal(b, i, j) or refusal(b, j, i) then
+  elseif filter.refusal(b, i, j) or filter.refusal(b, j, i) then
     return "mask"
   end
-end
-
---- Returns whether two objects can meet.
-function filter.allows(b, i, j)
-  return filter.reason(b, i, j) == nil
 end
 
 --- Returns whether each of two is solid on all its sides.
@@ -93,7 +83,7 @@ function filter.blocks(b, i, j, isAny)
     and not b.sensor[i]
     and not b.sensor[j]
     and not b.oneWay[j]
-    and filter.allows(b, i, j)
+    and not filter.reason(b, i, j)
 end
 
 return filter

@@ -78,7 +78,7 @@ local function listNew(b, count)
       asker, stamp, at = i, markNeighbours(b, i), strayAt[i]
     end
     local isNew = mark[j] ~= stamp and strayAt[j] > at
-    if isNew and min(crowd[2 * i] or 0, crowd[2 * j] or 0) <= 0 and filter.allows(b, i, j) then
+    if isNew and min(crowd[2 * i] or 0, crowd[2 * j] or 0) <= 0 and not filter.reason(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end
@@ -220,7 +220,7 @@ local function unlink(b, i)
   local half, n, support = b.head[i], 0, b.support
   while half ~= 0 do
     local j = b.other[half]
-    if not filter.allows(b, i, j) then
+    if filter.reason(b, i, j) then
       n = n + 1
       b.parted[n] = (half + half % 2) / 2
       support[i] = support[i] == j and 0 or support[i]
@@ -252,17 +252,6 @@ function pairFinder.refilter(b, i)
     pairFinder.remove(b, i)
     islands.drop(b, i)
   end
-end
-
---- Updates the pairs of all objects after the masks of the world have changed. It runs before
---- overlaps are separated (solver/overlap.lua).
-function pairFinder.refilterAll(b)
-  for i = 1, b.slots do
-    if b.kind[i] ~= 0 then
-      pairFinder.refilter(b, i)
-    end
-  end
-  pairFinder.run(b, b.movers, b.moverCount)
 end
 
 -- Active pairs ------------------------------------------------------------------------------------

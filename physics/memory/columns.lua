@@ -16,6 +16,7 @@ local layout = require(root .. ".memory.layout")
 
 local columns = {}
 
+--- Kinds, from the one that is least free to move.
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 --- Value of `packed` of a body that stays where it is, like a wall (see relax).
 columns.STUCK = 1000
@@ -144,19 +145,15 @@ end
 --- Unlinks the pairs in list[1..count], each of which is listed once. Their contacts must have
 --- ended. They are free again when the live pairs are listed anew: lists of this step hold them.
 function columns.unlinkAll(b, list, count)
-  local pairA, pairB = b.pairA, b.pairB
-  for n = 1, count do
-    unhang(b, 2 * list[n] - 1, pairA[list[n]])
-  end
-  for n = 1, count do
-    unhang(b, 2 * list[n], pairB[list[n]])
-  end
+  local pairA, pairB, told = b.pairA, b.pairB, b.touchTold
   local ended, endedCount = b.endedPairs, b.endedPairCount
-  local told = b.touchTold
   for n = 1, count do
     local p = list[n]
+    local i, j = pairA[p], pairB[p]
+    unhang(b, 2 * p - 1, i)
+    unhang(b, 2 * p, j)
     -- Either slot may soon belong to another object.
-    told[4 * pairA[p] + 1], told[4 * pairB[p] + 1] = columns.UNTOLD, columns.UNTOLD
+    told[4 * i + 1], told[4 * j + 1] = columns.UNTOLD, columns.UNTOLD
     pairA[p], pairB[p] = 0, 0
     ended[endedCount + n] = p
   end

@@ -404,7 +404,7 @@ end
 local function wedge(b, p, i, j)
   local canWedge = filter.areSolid(b, i, j)
     and b.kind[j] ~= DYNAMIC
-    and shapes.isBox(b.shape[j])
+    and shapes.isBox[b.shape[j]]
     and b.wedged[p] == 0
   if not canWedge or columns.gap(b, b.from, i, j) >= -EPSILON then
     return

@@ -50,7 +50,7 @@ local function release(b, axis)
 end
 
 local function isBall(b, k)
-  return b.hasRound and not shapes.isFlat(b.shape[floor(k * 0.5)])
+  return b.hasRound and shapes.isRound[b.shape[floor(k * 0.5)]]
 end
 
 -- Returns where a squeezed body k goes: not so far that its middle is pushed into the immovable

@@ -37,7 +37,7 @@ local function stands(b, i)
     and b.down[k] ~= 0
     and b.kind[i] == DYNAMIC
     and not (b.sensor[i] or b.buried[i])
-    and b.shape[i] == shapes.BOX
+    and shapes.isBox[b.shape[i]]
     and b.crowd[2 * i] <= 0
     and b.velocity[k] * b.down[k] >= 0
 end
@@ -103,7 +103,7 @@ local function lower(b, i, most, dt)
     low = reach(b, i, axis, turn, x0, x, start, most)
   end
   local isLower = height > here + EPSILON and height <= low + EPSILON
-  if j ~= 0 and isLower and shapes.isFlat(b.shape[j]) then
+  if j ~= 0 and isLower and not shapes.isRound[b.shape[j]] then
     j = allot.embody(b, j)
     if bears(b, j, k, turn) then
       put(b, i, j, k, turn, height)

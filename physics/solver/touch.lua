@@ -25,8 +25,8 @@ touch.impact, touch.isLost, touch.isRound = ball.impact, ball.isLost, ball.isRou
 
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
 local EPSILON, SLACK = columns.EPSILON, columns.SLACK
-local BOX, SOLID = shapes.BOX, shapes.SOLID
-local axisOf, depth, isSlope = path.axisOf, shapes.depth, shapes.isSlope
+local isBox, isSlope, SOLID = shapes.isBox, shapes.isSlope, shapes.SOLID
+local axisOf, depth = path.axisOf, shapes.depth
 local max, min = math.max, math.min
 -- Impacts of a body in a step until which it is deflected without gravity.
 local DEFLECTED = 3
@@ -35,14 +35,14 @@ local DEFLECTED = 3
 --- which one is a sensor, are boxes.)
 function touch.haveFaces(b, i, j)
   local one, other = b.shape[i], b.shape[j]
-  return one == BOX and isSlope(other) or other == BOX and isSlope(one)
+  return isBox[one] and isSlope[other] or isBox[other] and isSlope[one]
 end
 
 local isRound, haveFaces = touch.isRound, touch.haveFaces
 
 --- Returns the box and the slope of a pair.
 function touch.order(b, i, j)
-  if isSlope(b.shape[j]) then
+  if isSlope[b.shape[j]] then
     return i, j
   end
   return j, i
@@ -62,7 +62,7 @@ end
 function touch.apart(b, i, j, axis, isLow, place, its)
   local size, shape, t = b.size, b.shape[j], 1 - axis
   local low, way = isLow and i or j, 0.0
-  local isEdge = SOLID[axis][shape] == (isLow and 1 or -1) and b.shape[i] == BOX
+  local isEdge = SOLID[axis][shape] == (isLow and 1 or -1) and isBox[b.shape[i]]
   if isEdge and axis == axisOf(b, i) then
     local m = 2 * j
     way = depth(SOLID[t][shape], its, size[m + t], size[m + axis], place, size[2 * i + t])
@@ -77,7 +77,7 @@ local apart = touch.apart
 local function nearest(b, i, j, x, y, ox, oy)
   local size, k, m, its = b.size, 2 * i, 2 * j, b.shape[j]
   local w, h, ow, oh, axis = size[k], size[k + 1], size[m], size[m + 1], axisOf(b, i)
-  return shapes.face(BOX, x, y, w, h, its, ox, oy, ow, oh, axis)
+  return shapes.face(shapes.BOX, x, y, w, h, its, ox, oy, ow, oh, axis)
 end
 
 -- The face of slope j on which box i is flush, or inside by less than all others, as an axis and
@@ -179,7 +179,7 @@ function touch.line(b, i, j, side, t)
     local x, y = ball.point(b, i, j, t)
     local across = axis == 0 and y or x
     return axis == 0 and x or y, across, across
-  elseif isOnSlope and isSlope(b.shape[i]) then
+  elseif isOnSlope and isSlope[b.shape[i]] then
     return touch.line(b, j, i, OPPOSITE[side], t)
   end
   local size, own, k, m = b.size, 2 * i + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
@@ -199,8 +199,8 @@ function touch.depth(b, i, j, x, y)
   if not (b.hasShapes and haveFaces(b, i, j)) then
     return shapes.overlap(x, y, size[k], size[k + 1], ox, oy, size[m], size[m + 1])
   end
-  local isBox = b.shape[i] == BOX
-  local inside = isBox and nearest(b, i, j, x, y, ox, oy) or nearest(b, j, i, ox, oy, x, y)
+  local inside = isBox[b.shape[i]] and nearest(b, i, j, x, y, ox, oy)
+    or nearest(b, j, i, ox, oy, x, y)
   return -inside, -inside
 end
 

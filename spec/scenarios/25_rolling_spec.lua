@@ -38,7 +38,7 @@ local function ballOn(slope, x, changes)
 end
 
 local function gapOf(ball, other)
-  local shape, its = shapes.CIRCLE, shapes.named(other.radius, other.slope)
+  local shape, its = shapes.CIRCLE, shapes.of(other)
   local x, y, w, h = ball.x, ball.y, 2 * ball.radius, 2 * ball.radius
   return (shapes.gap(shape, x, y, w, h, its, other.x, other.y, other.width, other.height))
 end
