@@ -51,6 +51,18 @@ local ON_LAND = {
   },
 }
 
+local CAPSULE = {
+  ["physics/fields/fields.lua"] = {
+    "  --- The velocity along x. For a rider",
+    "  --- A capsule in its rectangle: the two short sides are half circles.\n"
+      .. '  { name = "capsule", type = "boolean", default = false },\n',
+  },
+  ["physics/space/shapes.lua"] = {
+    "  -- Slopes are named after",
+    '  { field = "capsule", round = 0.5 },\n',
+  },
+}
+
 -- Calls f(physics) with a library to which that is added.
 local function with(added, f)
   local lines, changed = io.lines, {}
@@ -217,6 +229,90 @@ describe("every callback: a new one needs one row, and a place that notices it: 
       assert.is_truthy(all:find("`onLand(self)` Called when it has come to stand", 1, true))
       assert.is_truthy(all:find("`onLand(object)` As [`onLand`]", 1, true))
       assert.is_truthy(require("scripts.types").text():find("onLand? fun(object: ", 1, true))
+    end)
+  end)
+end)
+
+describe("a new shape needs a row of its field, and one that says what it is: it", function()
+  local function newCapsule(fields)
+    local capsule = { x = 100, y = 340, width = 20, height = 60, capsule = true }
+    for name, value in pairs(fields or {}) do
+      capsule[name] = value
+    end
+    return capsule
+  end
+
+  local function newWorld(physics)
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floor", { x = -500, y = 400, width = 2000, height = 40, static = true })
+    return world
+  end
+
+  it("stands, pushes, slides and rolls off #files", function()
+    with(CAPSULE, function(physics)
+      local world = newWorld(physics)
+      local wall = world:add("walls", { x = 200, y = 300, width = 20, height = 100, static = true })
+      local capsule = world:add("capsules", newCapsule({ y = 300, mass = 1e6 }))
+      local box = world:add("boxes", { x = 113, y = 200, width = 10, height = 10 })
+      for _ = 1, 240 do
+        world:update(1 / 60)
+      end
+      assert.same({ 340, 0, 390 }, { capsule.y, capsule.vy, box.y })
+      assert.equal(world.objects.floor[1], capsule.touching.bottom)
+      world:remove(box)
+      for _ = 1, 60 do
+        capsule.vx = 200
+        world:update(1 / 60)
+      end
+      assert.same({ 180, 340 }, { capsule.x, capsule.y })
+      assert.equal(wall, capsule.touching.right)
+    end)
+  end)
+
+  -- Its upper half circle is around (110, 350), 10 px wide.
+  it("is seen by queries where it is round #files", function()
+    with(CAPSULE, function(physics)
+      local world = newWorld(physics)
+      local capsule = world:add("capsules", newCapsule({ static = true }))
+      local found = {}
+      for n, place in ipairs({ { 101, 341 }, { 101, 370 }, { 110, 341 }, { 104, 342.5 } }) do
+        found[n] = #world:queryPoint(place[1], place[2], "capsules")
+      end
+      assert.same({ 0, 1, 1, 1 }, found)
+      local _, far = world:nearest(98, 334, 50, "capsules")
+      assert.equal(10, far)
+      local hit, x, y, nx, ny = world:raycast(0, 342, 300, 342)
+      assert.equal(capsule, hit)
+      for n, value in ipairs({ 104, 342, -0.6, -0.8 }) do
+        assert.near(value, ({ x, y, nx, ny })[n], 1e-9)
+      end
+      assert.is_nil((world:raycast(90, 350, 103, 337)))
+      assert.same({ 100, 370, -1, 0, 0.25 }, { select(2, world:raycast(0, 370, 400, 370)) })
+    end)
+  end)
+
+  it("is saved, drawn and refused beside other shapes #files", function()
+    with(CAPSULE, function(physics)
+      local world, calls, before = newWorld(physics), {}, rawget(_G, "love")
+      world:add("capsules", newCapsule())
+      local twin = physics.newWorld()
+      twin:restore(world:save())
+      assert.is_true(twin.objects.capsules[1].capsule)
+      refuses("capsule must be nil where there is a radius", world.add, world, "capsules", {
+        x = 0,
+        y = 0,
+        radius = 8,
+        capsule = true,
+      })
+      local graphics = { getColor = function() end, setColor = function() end }
+      function graphics.rectangle(mode, x, y, width, height, radius)
+        calls[#calls + 1] = ("%s %g %g %g %g %g"):format(mode, x, y, width, height, radius or 0)
+      end
+      rawset(_G, "love", { graphics = graphics })
+      local isDrawn, problem = pcall(world.draw, world, { touching = false })
+      rawset(_G, "love", before)
+      assert.is_true(isDrawn, problem)
+      assert.same({ "fill 100 340 20 60 10", "fill 101 341 18 58 9" }, { calls[1], calls[2] })
     end)
   end)
 end)
