@@ -227,17 +227,14 @@ local function tell(e, n, recipient, name, owner)
   local a, b, side = e.a[n], e.b[n], e.side[n]
   if not callback then
     return
-  elseif tells == "alone" then
-    callback(a)
-    return
-  elseif tells == "axis" then
-    callback(a, b, e.c[n], side)
-    return
-  end
-  if recipient == 2 then
+  elseif recipient == 2 then
     a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
-  if tells == "place" then
+  if tells == "alone" then
+    callback(a)
+  elseif tells == "axis" then
+    callback(a, b, e.c[n], side)
+  elseif tells == "place" then
     local x1, y1, x2, y2 = e.x1[n], e.y1[n], e.x2[n], e.y2[n]
     if side == AT_LEFT then
       x1, x2 = before(x1), before(x2)
