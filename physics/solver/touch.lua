@@ -1,6 +1,7 @@
 ---@diagnostic disable
 --- Touch: computes from the shapes of two bodies on which axis they touch, how far apart they must
---- be there, and at which side and place. What asks here knows no shapes. Circles: see ball.
+--- be there, and at which side and place. Here boxes and slopes are told apart from what is round,
+--- which ball answers for; what a shape is says space/shapes.
 --
 -- Slopes are right triangles, on which bodies stand as on stairs with infinitely small steps. A
 -- contact with the sloped edge is one along gravity (along y without gravity), and no other than
