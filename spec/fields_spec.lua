@@ -233,7 +233,7 @@ describe("every callback: a new one needs one row, and a place that notices it: 
   end)
 end)
 
-describe("a new shape needs a row of its field, and one that says what it is: it", function()
+describe("every field: that of a new shape needs a row that says what it is: it", function()
   local function newCapsule(more)
     local capsule = { x = 100, y = 340, width = 20, height = 60, capsule = true }
     for name, value in pairs(more or {}) do
