@@ -6,19 +6,19 @@
 
 local BUDGET = {
   { "physics.lua", 96 },
-  { "physics/broadphase", 669 },
-  { "physics/contacts", 405 },
-  { "physics/fields", 732 },
-  { "physics/maps", 2353 },
-  { "physics/memory", 852 },
+  { "physics/broadphase", 654 },
+  { "physics/contacts", 402 },
+  { "physics/fields", 736 },
+  { "physics/maps", 2354 },
+  { "physics/memory", 848 },
   { "physics/motion", 980 },
-  { "physics/objects", 1211 },
+  { "physics/objects", 1212 },
   { "physics/queries", 824 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4052 },
-  { "physics/space", 381 },
+  { "physics/solver", 4050 },
+  { "physics/space", 395 },
   { "physics/state", 913 },
-  { "physics/world", 1501 },
+  { "physics/world", 1504 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

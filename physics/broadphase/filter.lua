@@ -7,7 +7,7 @@ local forms = require(root .. ".fields.forms")
 
 local filter = {}
 
-local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+local DYNAMIC, STATIC, max = columns.DYNAMIC, columns.STATIC, math.max
 -- So many different lists of `hits` are shared by the objects that have equal ones.
 local MOST_LISTS = 16
 
