@@ -90,7 +90,8 @@ local untouched
 --- Fails unless a scene goes on like one to which nothing has happened, to the bit.
 function wrong.checkGoesOn(scene)
   untouched = untouched or threeStepsLater(wrong.newScene())
-  assert.equal(untouched, threeStepsLater(scene))
+  local found = threeStepsLater(scene)
+  assert(found == untouched, found)
 end
 
 -- Values ------------------------------------------------------------------------------------------
