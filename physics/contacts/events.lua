@@ -296,11 +296,11 @@ end
 
 --- Tells the game all events, in batches (see `arrange`). In a batch, pairs are in the order of the
 --- world, and contacts that begin without a hit come last. An error in a callback passes through;
---- the next call tells the rest. `isRest`: only what an error has left: what `save` has noticed
+--- the next call tells the rest. `isOld`: only what an error has left: what `save` has noticed
 --- waits for the end of the step, as it does without `save`.
-function events.tell(b, isRest)
+function events.tell(b, isOld)
   local e = b.events
-  if e.count == 0 or (isRest and e.told == 0) then
+  if e.count == 0 or (isOld and e.told == 0) then
     return
   end
   -- The list is put in order first, since events that an error delays are part of the state.

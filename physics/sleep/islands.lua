@@ -89,11 +89,11 @@ end
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, mark = b.island, b.kind, b.awake, b.quiet, b.mark
   local head, other, nextHalf = b.head, b.other, b.next
-  local count, n, calm = 1, 1, true
+  local count, n, isQuiet = 1, 1, true
   island[1], mark[i] = i, stamp
   while n <= count do
     local member = island[n]
-    calm = calm and quiet[member]
+    isQuiet = isQuiet and quiet[member]
     local half = kind[i] == DYNAMIC and head[member] or 0
     while half ~= 0 do
       local j = other[half]
@@ -101,16 +101,16 @@ local function gather(b, i, stamp)
         count, mark[j] = count + 1, stamp
         island[count] = j
       elseif kind[j] ~= DYNAMIC and awake[j] then
-        calm = calm and quiet[j]
+        isQuiet = isQuiet and quiet[j]
       end
       half = nextHalf[half]
     end
     n = n + 1
   end
-  return count, calm
+  return count, isQuiet
 end
 
---- Puts every island to sleep that is calm after a step of dt s. Its bodies are obstacles for
+--- Puts every island to sleep that is quiet after a step of dt s. Its bodies are obstacles for
 --- others until they wake.
 function islands.settle(b, dt)
   b.stamp = b.stamp + 1
@@ -119,8 +119,8 @@ function islands.settle(b, dt)
     local i = list[n]
     -- Sleeping bodies are dropped from the list, which may bring others to this place.
     if i and n <= b.awakeCount and quiet[i] and mark[i] ~= stamp then
-      local count, calm = gather(b, i, stamp)
-      for m = 1, calm and count or 0 do
+      local count, isQuiet = gather(b, i, stamp)
+      for m = 1, isQuiet and count or 0 do
         columns.stand(b, b.island[m])
         islands.drop(b, b.island[m])
       end
