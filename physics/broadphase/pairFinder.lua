@@ -222,7 +222,7 @@ local function unlink(b, i)
     local j = b.other[half]
     if filter.reason(b, i, j) then
       n = n + 1
-      b.parted[n] = (half + half % 2) / 2
+      b.parted[n] = floor(half * 0.5 + 0.5)
       support[i] = support[i] == j and 0 or support[i]
       support[j] = support[j] == i and 0 or support[j]
     end

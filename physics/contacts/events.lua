@@ -18,7 +18,7 @@ local events = {}
 
 local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
 local AT_LEFT, AT_TOP = columns.SIDE.left, columns.SIDE.top
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 
 --- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
 events.VALUES = {
@@ -185,7 +185,7 @@ end
 function events.endContacts(b, i, isOver)
   local half = b.head[i]
   while half ~= 0 do
-    local p, j = (half + half % 2) / 2, b.other[half]
+    local p, j = floor(half * 0.5 + 0.5), b.other[half]
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
       if b.contact[p] ~= 0 then

@@ -6,7 +6,8 @@
 -- in objects/read.lua and written in objects/write.lua. Columns with a value for each axis are
 -- interleaved: `column[2 * slot]` is x and `column[2 * slot + 1]` is y, so that one function serves
 -- both axes. Pairs of neighbours have columns of their own. Each pair is in the lists of both of
--- its objects by two half-edges (`2 * pair - 1` and `2 * pair`).
+-- its objects by two half-edges (`2 * pair - 1` and `2 * pair`). So `floor(k * 0.5)` is the slot of
+-- an index, and `floor(half * 0.5 + 0.5)` the pair of a half-edge.
 --
 -- No column is shared between worlds: a callback may step another world.
 
@@ -49,7 +50,7 @@ columns.RANKS = 2 ^ 40
 --- again.
 columns.UNTOLD = -1
 
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 local PAIR = layout.PAIR
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
@@ -230,7 +231,7 @@ function columns.pairOf(b, i, j)
   local half = b.head[i]
   while half ~= 0 do
     if other[half] == j then
-      return (half + half % 2) / 2
+      return floor(half * 0.5 + 0.5)
     end
     half = nextHalf[half]
   end

@@ -16,7 +16,7 @@ local path = require(root .. ".motion.path")
 local nudge = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local max = math.max
+local floor, max = math.floor, math.max
 -- px by which the tested place is further on, towards what the body hits.
 local AHEAD = 1e-3
 --- Maximum number of corrections of one pair in a step.
@@ -87,7 +87,7 @@ function nudge.run(b)
     for c = 1, list.count do
       local kl, kh, p = low[c], high[c], pair[c]
       if pressed[p] == 1 and separation[c] == size[kl] then
-        local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
+        local i, j = floor(kl * 0.5), floor(kh * 0.5)
         hasMoved = nudge.correct(b, p, i, j, axis, 0) or hasMoved
       end
     end

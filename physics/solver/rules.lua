@@ -29,7 +29,7 @@ end
 local function isFalling(b, i, solid)
   local half = solid and b.head[i] or 0
   while half ~= 0 do
-    if b.dropping[(half + half % 2) / 2] and b.oneWay[b.other[half]] == solid then
+    if b.dropping[floor(half * 0.5 + 0.5)] and b.oneWay[b.other[half]] == solid then
       return true
     end
     half = b.next[half]
@@ -134,7 +134,7 @@ function rules.drop(b, i)
   end
   local foot = x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y -- left, right, top, bottom are 1 to 4
   while half ~= 0 do
-    local p, j = (half + half % 2) / 2, b.other[half]
+    local p, j = floor(half * 0.5 + 0.5), b.other[half]
     local side = b.contact[p] -- side of the first body of the pair, 0: none
     if side ~= 0 and b.pairA[p] ~= i then
       side = OPPOSITE[side]

@@ -39,7 +39,7 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 local solver = {}
 
 local DYNAMIC = columns.DYNAMIC
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
 local ROUNDS = 18
@@ -184,13 +184,13 @@ local function notePressed(b, axis)
       pressedHigh[kl], pressedLow[kh] = true, true
       b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
       if contact[p] == 0 then
-        impact.note(b, p, (kl - axis) * 0.5, axis, max(b.start[kl] - b.start[kh], 0.0), 0)
+        impact.note(b, p, floor(kl * 0.5), axis, max(b.start[kl] - b.start[kh], 0.0), 0)
       end
       if squeezed[kl] ~= 0 then
-        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = (kh - axis) * 0.5, true, true
+        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = floor(kh * 0.5), true, true
       end
       if squeezed[kh] ~= 0 then
-        b.crushLow[kh], b.crushed[kh], b.hasCrushed = (kl - axis) * 0.5, true, true
+        b.crushLow[kh], b.crushed[kh], b.hasCrushed = floor(kl * 0.5), true, true
       end
     end
   end
