@@ -1,5 +1,5 @@
--- A walk over hills, which are rows of slopes. No seam can be felt, crates roll nowhere, and what
--- goes downhill stays on the ground. On the way: a bridge to jump through, a turtle, stairs, a
+-- A walk over hills, which are rows of slopes. No seam can be felt, crates stay where they are, and
+-- the hero keeps to the ground downhill. On the way: a bridge to jump through, a turtle, stairs, a
 -- cable car, and a mine cart that the slopes drive.
 --
 -- This file is the game: what is in the level and how things move. terrain.lua makes slopes of the

@@ -103,7 +103,7 @@ function lifts.draw()
   love.graphics.rectangle("fill", 484, 354, 16, press.y - 354)
   boxes.ground(556)
   boxes.draw(world, "walls belts shelves lifts crates coins players", state.time)
-  local coins, flattened = state.coins .. " / 5 coins", state.flattened .. " pressed flat"
+  local coins, flattened = state.coins .. " / 5 coins", state.flattened .. " crushed"
   boxes.status({ "yellow", coins, "silver", flattened })
 end
 

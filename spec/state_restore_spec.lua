@@ -1,4 +1,4 @@
---- world:restore: what comes back, to whom, and what is told; and fields of the game (ownFields).
+--- world:restore: what comes back, to which objects, and what is told; and fields of the game (ownFields).
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
