@@ -138,7 +138,14 @@ async function checkColors() {
 }
 
 // What is typed, what the first result must be about.
-const SEARCHES = { oneWay: /oneWay/, rotate: /Questions/, hp: /Questions/, "save game": /Questions|State/ };
+const SEARCHES = {
+  oneWay: /oneWay/,
+  rotate: /Questions/,
+  hp: /Questions/,
+  "save game": /Questions|State/,
+  trampoline: /Questions/,
+  multiplayer: /Questions/,
+};
 
 async function checkSearch() {
   for (const [word, wanted] of Object.entries(SEARCHES)) {
