@@ -1,4 +1,4 @@
---- world:restore: what comes back, to which objects, and what is told; and fields of the game (ownFields).
+--- world:restore: what comes back and to which objects, callbacks, and `ownFields` of the game.
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
