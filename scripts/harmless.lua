@@ -27,8 +27,8 @@ return {
   },
   {
     "physics/memory/layout.lua",
-    "news = false, -- something other than its motion has changed in this step",
-    "news = true, -- something other than its motion has changed in this step",
+    "news = false, -- something other than its motion has changed in this step: it must not sleep",
+    "news = true, -- something other than its motion has changed in this step: it must not sleep",
     "begin.lua resets it for each awake body, and it is read of no other",
   },
   {
