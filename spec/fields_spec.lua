@@ -81,7 +81,10 @@ local function with(added, f)
     package.preload[name] = assert((rawget(_G, "loadstring") or load)(text, "@" .. path))
   end
   io.lines = function(path) -- luacheck: ignore
-    return changed[path] and changed[path]:gmatch("([^\n]*)\n") or lines(path)
+    if not changed[path] then
+      return lines(path) -- (on gopher-lua these are two values)
+    end
+    return changed[path]:gmatch("([^\n]*)\n")
   end
   local isDone, problem = pcall(fresh.during, f)
   io.lines = lines -- luacheck: ignore
