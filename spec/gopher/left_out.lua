@@ -39,6 +39,7 @@ leftOut.specs = {
   ["world:save fills a table again, without garbage"] = MEMORY,
   ["world:restore keeps no object alive that has left, whatever the game has put into `touching`"] = WEAK,
   ["every field: a new one needs one row, and a line where it acts: it is in the manual, in the types, and known to `checked` #files"] = "about the scripts that write the manual",
+  ["every callback: a new one needs one row, and a place that notices it: it is in the manual and in the types #files"] = "about the scripts that write the manual",
   ["ownFields are refused when they cannot be written, and nothing has changed"] = "math.huge is finite",
   ["area: a zone makes no garbage"] = MEMORY,
   ["world:update: a busy scene loses no object and keeps its memory"] = MEMORY,

@@ -53,11 +53,14 @@ local function startsAnywhere(line)
   return values ~= nil and #split(values) < 3
 end
 
--- Whether a variable becomes a chain of `and` in which it stands itself: `a = a and b and c`.
+-- Whether a variable becomes a chain of `and` in which it stands itself, `a = a and b and c`, or
+-- what stands last in one: `a = f() and a`.
 local function chainsItself(line)
   local name, right = line:match("^%s*([%a_][%w_]*) = (.*)$")
-  return name and right:find(" and .* and ") and not right:find(" or ") and reads(right, name)
-    or false
+  if not name or right:find(" or ") or not reads(right, name) then
+    return false
+  end
+  return right:find(" and .* and ") ~= nil or right:find(" and " .. name .. "$") ~= nil
 end
 
 describe("the library", function()
