@@ -33,14 +33,14 @@ return {
   },
   {
     "physics/memory/layout.lua",
-    "pressedLow = false, -- something rested against this side in this step",
-    "pressedLow = true, -- something rested against this side in this step",
+    "pressedLow = false, -- something has rested against its low side in this step",
+    "pressedLow = true, -- something has rested against its low side in this step",
     "read of awake dynamic bodies, for which begin.lua resets it at each step",
   },
   {
     "physics/memory/layout.lua",
-    "to = 0, -- end of the path: its position at the end of the step",
-    "to = 1, -- end of the path: its position at the end of the step",
+    "to = 0, -- where its path ends, px: its position after the step",
+    "to = 1, -- where its path ends, px: its position after the step",
     "a new object is given its place at once (see objects/read.lua)",
   },
   {
@@ -54,12 +54,6 @@ return {
     "hits.spare[#hits.spare + 1] = hits[n]",
     "hits.spare[#hits.spare + 2] = hits[n]",
     "a spare table may be lost; another one is made",
-  },
-  {
-    "physics/solver/contacts.lua",
-    "local from, axis, isSecondLow = b.from, nil, false",
-    "local from, axis, isSecondLow = b.from, nil, true",
-    "it is set where the axis is",
   },
   {
     "physics/objects/settings.lua",
