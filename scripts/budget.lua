@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 654 },
   { "physics/contacts", 402 },
   { "physics/fields", 736 },
-  { "physics/maps", 2354 },
+  { "physics/maps", 2331 },
   { "physics/memory", 848 },
   { "physics/motion", 980 },
   { "physics/objects", 1212 },

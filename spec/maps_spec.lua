@@ -162,7 +162,7 @@ describe("loadTiled: an object of a map", function()
     local project = {
       propertyTypes = {
         { name = "Mode", type = "enum", values = { "a" } },
-        class("Pull", member("gravity", 5), member("drag", 1), member("again", {}, "Pull")),
+        class("Pull", member("gravity", 5), member("drag", 1)),
         class(
           "Water",
           member("sensor", true),

@@ -20,7 +20,7 @@ local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 local NEXT = {
   ["fields.check"] = "firstBad isEmpty",
   ["maps.digging"] = "keepPlain",
-  ["maps.properties"] = "copy put isCycle saysThatItMoves isEmpty",
+  ["maps.properties"] = "put saysThatItMoves isEmpty",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
   ["fields.forms"] = "isSame copy",
