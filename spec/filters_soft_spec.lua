@@ -308,6 +308,40 @@ describe("soft: a crowd", function()
     end
   )
 
+  -- Frames a second, size, soft; 20 times the size is what the manual recommends.
+  for _, row in ipairs({ { 30, 17, 120 }, { 60, 17, 300 }, { 60, 10, 180 }, { 144, 17, 600 } }) do
+    local rate, size, soft = row[1], row[2], row[3]
+    local name = ("of %d px comes to stand at %d Hz and %d px/s: "):format(size, rate, soft)
+    it(name .. "fewer than 2 % turn round in a frame", function()
+      local random, world = newRandom(7), newWorld({ enemies = { enemies = soft } })
+      local player = world:add("players", box(-10, -10, { pushable = false }))
+      for _ = 1, 120 do
+        local angle, far = random:between(0, 6.28), random:between(40, 60 + 9 * size)
+        local x, y = far * math.cos(angle), far * math.sin(angle)
+        world:add("enemies", { x = x, y = y, width = size, height = size })
+      end
+      local turns, lastX, lastY = 0, {}, {}
+      for frame = 1, 7 * rate do
+        for n, enemy in ipairs(world.objects.enemies) do
+          local dx, dy = player.x - enemy.x, player.y - enemy.y
+          local far = math.max(1, math.sqrt(dx * dx + dy * dy))
+          enemy.vx, enemy.vy = 80 * dx / far, 80 * dy / far
+          enemy.lastX, enemy.lastY, lastX[n], lastY[n] =
+            enemy.x, enemy.y, enemy.x - (enemy.lastX or 0), enemy.y - (enemy.lastY or 0)
+        end
+        world:update(1 / rate)
+        for n, enemy in ipairs(world.objects.enemies) do
+          local x, y = enemy.x - enemy.lastX, enemy.y - enemy.lastY
+          local isSeen = math.max(math.abs(x), math.abs(y)) > 0.05
+          if frame > 7 * rate - 20 and isSeen and x * lastX[n] + y * lastY[n] < 0 then
+            turns = turns + 1
+          end
+        end
+      end
+      assert.is_true(turns / (20 * 120) < 0.02)
+    end)
+  end
+
   it("counts in the hash", function()
     local world = pair()
     local before = world:hash()

@@ -7,10 +7,17 @@
 -- group. It is added to the path of this step and taken off again after it, so that what is solid
 -- stops it as any other motion.
 --
--- Those that overlap are found in strips across the axis along which they are more spread out,
--- sorted by counting: a body is compared with what begins in its own strip after it, and in the
--- strips up to its far edge. Sums do not depend on that order: all velocities are rounded to
--- multiples of 2^-20 px/s, which add up exactly.
+-- Those that overlap, or may in this step, are found in cells, sorted by counting: a body is
+-- compared with what begins after it in its row, and in the rows down to its lower edge. Sums do
+-- not depend on that order: all velocities are rounded to multiples of 2^-20 px/s, which add up
+-- exactly.
+--
+-- A step is made in parts, the stages of a Runge-Kutta-Legendre scheme: they stay stable for a
+-- stiffness that grows with their number squared. What its drift nearly stops is slowed, so that a
+-- crowd comes to stand (see `listDrifted`).
+--
+-- Source: C. D. Meyer, D. S. Balsara, T. D. Aslam, A second-order accurate Super TimeStepping
+-- formulation for anisotropic thermal conduction, 2012 (RKL1, the scheme of first order).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -27,10 +34,13 @@ local ceil, floor, huge, max, min, sqrt =
 local ROUNDING = 6442450944.0
 -- Less than that part of their size apart, two are at one place.
 local NEAREST = 1e-6
--- A step is made in parts, in which the drift changes by little; at most so many.
-local STIFFNESS, MOST_PARTS = 6, 16
--- Strips for a body of mean size.
-local FINE = 4
+-- A step is made in parts, at most so many: the more, the faster those part that are near, and the
+-- more these are.
+local MOST_PARTS = 12
+-- Of the way of the fastest drift in a step: what is no further apart may overlap in this step.
+local NEAR = 0.5
+-- Cells across a body of mean size; height of a row of cells, in such bodies; cells for each body.
+local FINE, HIGH, CELLS = 4, 1.5, 4
 -- Directions in which two at one place part, by the order of the world.
 ---@type table<number, number>
 local WAYS_X = { 1.0, 0.25, 0.5, -1.0, 1.0, 0.75, -0.5, 0.5 }
@@ -48,17 +58,18 @@ local function newWork()
     name = {},
     most = {}, -- px/s: the largest of that row
     plain = {}, -- its mass if it has no mask, `hits`, strength, and can be pushed; else false
-    start = {}, -- of each strip: where it begins in `sorted`
-    strip = {}, -- of each body
+    start = {}, -- of each cell: where it begins in `sorted`
+    cell = {}, -- of each body
     sorted = {},
     place = { [0] = {}, {} }, -- middle and half size in that order
     reach = { [0] = {}, {} },
-    one = {}, -- pairs that overlap
+    one = {}, -- pairs that may overlap
     other = {},
     partSpeed = {}, -- px/s, of each pair
     shareOne = {},
     shareOther = {},
     now = { [0] = {}, {} }, -- by axis: velocity apart in a part of the step
+    last = { [0] = {}, {} }, -- by axis: what the last part has added to the drift, px/s
     drifted = {}, -- slots with a drift: b.driftedCount
     speed = {}, -- by index: velocity at the end of the step without it
   }
@@ -66,7 +77,7 @@ end
 
 -- Lists the bodies of the soft groups, in the order of the world.
 local function list(b, work)
-  local groups, n, from, size = b.registry.groups, 0, b.from, b.size
+  local groups, n, from, size, fastest = b.registry.groups, 0, b.from, b.size, 0.0
   for g = 1, #groups do
     local name, movers = groups[g].name, groups[g].movers
     local row, most = b.soft[name], 0.0
@@ -76,82 +87,62 @@ local function list(b, work)
     for m = 1, row and #movers or 0 do
       local i = movers[m]
       if b.active[i] and not b.sensor[i] then
-        n = n + 1
+        n, fastest = n + 1, max(fastest, most)
         work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
         local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
         work.plain[n] = isPlain and not (b.mask[i] or b.only[i] or b.masks) and b.mass[i]
         for axis = 0, 1 do
           local half = size[2 * i + axis] * 0.5
           work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
+          work.now[axis][n], work.last[axis][n] = 0.0, 0.0
         end
       end
     end
   end
-  work.count = n
+  work.count, work.fastest = n, fastest
 end
 
--- Returns where the bodies begin and end on an axis, px, and the sum of their sizes there.
+-- Returns where on an axis the first and the last body begin, px, the sum of their sizes there, and
+-- the largest one.
 local function extent(work, axis)
-  local at, half, low, high, sum = work.at[axis], work.half[axis], huge, -huge, 0.0
+  local at, half, low, high, sum, largest = work.at[axis], work.half[axis], huge, -huge, 0.0, 0.0
   for n = 1, work.count do
-    low, high = min(low, at[n] - half[n]), max(high, at[n])
-    sum = sum + (2 * half[n] + ROUNDING - ROUNDING)
+    local size = 2 * half[n]
+    low, high = min(low, at[n] - half[n]), max(high, at[n] - half[n])
+    sum, largest = sum + (size + ROUNDING - ROUNDING), max(largest, size)
   end
-  return low, high, sum
+  return low, high, sum, largest
 end
 
--- Sorts the bodies by strips across an axis; `part`: strips for each px.
-local function sortStrips(work, axis, low, part, strips)
-  local at, half, strip, start = work.at[axis], work.half[axis], work.strip, work.start
-  for s = 0, strips + 1 do
-    start[s] = 0
+-- Sorts the bodies by the cells in which they begin, row by row.
+local function sortCells(work)
+  local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
+  local cell, start, sorted, across = work.cell, work.start, work.sorted, work.across
+  local cells = across * work.rows
+  for c = 0, cells do
+    start[c] = 0
   end
   for n = 1, work.count do
-    local s = floor((at[n] - half[n] - low) * part)
-    strip[n], start[s] = s, start[s] + 1
+    local row = floor((y[n] - halfY[n] - work.lowY) * work.partY)
+    local c = row * across + floor((x[n] - halfX[n] - work.lowX) * work.partX)
+    cell[n], start[c] = c, start[c] + 1
   end
   local sum = 1
-  for s = 0, strips + 1 do
-    sum = sum + start[s]
-    start[s] = sum -- where the next one begins
+  for c = 0, cells do
+    sum = sum + start[c]
+    start[c] = sum -- where the next one begins
   end
   for n = work.count, 1, -1 do
-    local s = strip[n]
-    start[s] = start[s] - 1
-    work.sorted[start[s]] = n
+    local c = cell[n]
+    start[c] = start[c] - 1
+    sorted[start[c]] = n
   end
   for k = 0, 1 do
     local its, itsHalf, place, reach = work.at[k], work.half[k], work.place[k], work.reach[k]
     for p = 1, work.count do
-      place[p], reach[p] = its[work.sorted[p]], itsHalf[work.sorted[p]]
+      place[p], reach[p] = its[sorted[p]], itsHalf[sorted[p]]
     end
   end
-end
-
--- Lists those that overlap. Returns how many pairs there are, and the mean size, px.
-local function findOverlaps(work)
-  local lowX, highX, width = extent(work, 0)
-  local lowY, highY, height = extent(work, 1)
-  local axis = highX - lowX >= highY - lowY and 0 or 1
-  local low, long, count = axis == 0 and lowX or lowY, max(highX - lowX, highY - lowY), 0
-  local mean = max((width + height) / (2 * work.count), columns.TINY)
-  local part = FINE / max(mean, long / work.count)
-  local strips = floor(long * part)
-  sortStrips(work, axis, low, part, strips)
-  local along, across, wide, high =
-    work.place[axis], work.place[1 - axis], work.reach[axis], work.reach[1 - axis]
-  local sorted, start, one, other = work.sorted, work.start, work.one, work.other
-  for p = 1, work.count do
-    local x, y, w, h = along[p], across[p], wide[p], high[p]
-    for q = p + 1, start[min(floor((x + w - low) * part), strips) + 1] - 1 do
-      local dx, dy, reachX, reachY = along[q] - x, across[q] - y, w + wide[q], h + high[q]
-      if dy < reachY and -dy < reachY and dx < reachX and -dx < reachX then
-        count = count + 1
-        one[count], other[count] = sorted[p], sorted[q]
-      end
-    end
-  end
-  return count, mean
 end
 
 -- Returns the shares of what takes two apart: 0 for what is not moved by the other.
@@ -166,32 +157,63 @@ local function weigh(b, i, j)
   return wi / total, wj / total
 end
 
--- Of those that overlap, keeps those that are soft to each other and not refused by a mask; returns
--- how many. Notes how fast they part, and the share of each. (Most are alike: asking all would make
--- a step a twentieth longer.)
-local function keepSoft(b, work, count)
-  local slot, plain, kept = work.slot, work.plain, 0
-  for c = 1, count do
-    local m, n = work.one[c], work.other[c]
-    local i, j, speed = slot[m], slot[n], work.row[m][work.name[n]]
-    local areAlike = plain[m] and plain[m] == plain[n]
-    if speed and (areAlike or not (filter.refusal(b, i, j) or filter.refusal(b, j, i))) then
-      local shareOne, shareOther = 0.5, 0.5
-      if not areAlike then
-        shareOne, shareOther = weigh(b, i, j)
-      end
-      kept = kept + 1
-      work.one[kept], work.other[kept], work.partSpeed[kept] = m, n, speed
-      work.shareOne[kept], work.shareOther[kept] = shareOne, shareOther
-    end
+-- Lists the pair of m and n, as the one after `count`, with the share of each and how fast they
+-- part, if they are soft to each other and no mask refuses it. Returns how many there are now.
+-- (Most are alike: asking all would make a step a twentieth longer.)
+local function addPair(b, work, count, m, n)
+  local i, j, plain = work.slot[m], work.slot[n], work.plain
+  local areAlike, speed = plain[m] and plain[m] == plain[n], work.row[m][work.name[n]]
+  if speed and (areAlike or not (filter.refusal(b, i, j) or filter.refusal(b, j, i))) then
+    count = count + 1
+    work.one[count], work.other[count], work.partSpeed[count] = m, n, speed
+    work.shareOne[count], work.shareOther[count] = weigh(b, i, j)
   end
-  return kept
+  return count
+end
+
+-- Lists the pairs of those that are no further apart than `near` px: each with what begins after it
+-- in its row, and in the rows down to its edge; `most`: the largest width, px. Returns how many
+-- there are, and how many for each body that is listed with others.
+local function listNear(b, work, near, most)
+  local x, y, halfX, halfY = work.place[0], work.place[1], work.reach[0], work.reach[1]
+  local start, across, partX, partY = work.start, work.across, work.partX, work.partY
+  local sorted, count, bodies = work.sorted, 0, 0
+  for p = 1, work.count do
+    local fromX, fromY, w, h = x[p] - work.lowX, y[p] - work.lowY, halfX[p] + near, halfY[p] + near
+    local first = max(floor((fromX - w - most) * partX), 0)
+    local final = min(floor((fromX + w) * partX), across - 1) + 1
+    local row, before = floor((y[p] - halfY[p] - work.lowY) * partY), count
+    for r = row, min(floor((fromY + h) * partY), work.rows - 1) do
+      for q = r == row and p + 1 or start[r * across + first], start[r * across + final] - 1 do
+        local dx, dy, reachX, reachY = x[q] - x[p], y[q] - y[p], w + halfX[q], h + halfY[q]
+        if dy < reachY and -dy < reachY and dx < reachX and -dx < reachX then
+          count = addPair(b, work, count, sorted[p], sorted[q])
+        end
+      end
+    end
+    bodies = count > before and bodies + 1 or bodies
+  end
+  return count, count / max(bodies, 1)
+end
+
+-- Lists those that are no further apart than `near` px. Returns the mean size, px, and what
+-- `listNear` returns.
+local function findNear(b, work, near)
+  local lowX, highX, width, most = extent(work, 0)
+  local lowY, highY, height = extent(work, 1)
+  local wide, high, count = highX - lowX, highY - lowY, work.count
+  local mean = max((width + height) / (2 * count), columns.TINY)
+  work.lowX, work.lowY, work.partY = lowX, lowY, 1 / max(mean * HIGH, high / count)
+  work.rows = floor(high * work.partY) + 1
+  work.partX = 1 / max(mean / FINE, wide * work.rows / (CELLS * count))
+  work.across = floor(wide * work.partX) + 1
+  sortCells(work)
+  return mean, listNear(b, work, near, most)
 end
 
 -- Returns a way in which two at one place part.
 local function wayOf(b, i, j)
-  local at = b.rank[i] + b.rank[j]
-  at = at - floor(at / #WAYS_X) * #WAYS_X + 1
+  local at = (b.rank[i] + b.rank[j]) % #WAYS_X + 1
   local sign = b.rank[i] < b.rank[j] and 1 or -1
   return WAYS_X[at] * sign * NEAREST, WAYS_Y[at] * sign * NEAREST
 end
@@ -200,9 +222,6 @@ end
 local function push(b, work, count)
   local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
   local nowX, nowY, shareOne, shareOther = work.now[0], work.now[1], work.shareOne, work.shareOther
-  for n = 1, work.count do
-    nowX[n], nowY[n] = 0.0, 0.0
-  end
   for c = 1, count do
     local m, n = work.one[c], work.other[c]
     local dx, dy = (x[n] - x[m]) / (halfX[m] + halfX[n]), (y[n] - y[m]) / (halfY[m] + halfY[n])
@@ -220,10 +239,12 @@ local function push(b, work, count)
   end
 end
 
--- Moves the bodies for a part of the step, and adds this part of the drift to the whole.
-local function advance(b, work, part, dt)
+-- Makes a part of a step of dt s: adds to the drift a share `keep` of what the last part added, and
+-- `part` of the velocity now. `own` is the same sum for the bodies' own velocities.
+local function advance(b, work, keep, part, own, dt)
   local slot, most, softSpeed, velocity = work.slot, work.most, b.softSpeed, b.velocity
   local x, y, nowX, nowY = work.at[0], work.at[1], work.now[0], work.now[1]
+  local lastX, lastY = work.last[0], work.last[1]
   for n = 1, work.count do
     local k, limit, dx, dy = 2 * slot[n], most[n], nowX[n], nowY[n]
     local square = dx * dx + dy * dy
@@ -231,26 +252,36 @@ local function advance(b, work, part, dt)
       local share = limit / sqrt(square)
       dx, dy = dx * share, dy * share
     end
-    softSpeed[k], softSpeed[k + 1] = softSpeed[k] + dx * part, softSpeed[k + 1] + dy * part
-    x[n] = x[n] + (velocity[k] + dx) * part * dt
-    y[n] = y[n] + (velocity[k + 1] + dy) * part * dt
+    dx, dy = lastX[n] * keep + dx * part, lastY[n] * keep + dy * part
+    lastX[n], lastY[n], nowX[n], nowY[n] = dx, dy, 0.0, 0.0
+    softSpeed[k], softSpeed[k + 1] = softSpeed[k] + dx, softSpeed[k + 1] + dy
+    x[n] = x[n] + (velocity[k] * own + dx) * dt
+    y[n] = y[n] + (velocity[k + 1] * own + dy) * dt
   end
 end
 
--- Lists those that drift, and wakes them. What stands on something drifts across gravity only: it
--- is not lifted off the ground.
+-- Lists those that drift, and wakes them. What its drift nearly stops on an axis is slowed further,
+-- in proportion to what is left of its speed: where it comes to stand it does not go to and fro.
+-- What stands on something drifts across gravity only: it is not lifted off the ground.
 local function listDrifted(b, work)
-  local softSpeed, down = b.softSpeed, b.down
+  local softSpeed, velocity = b.softSpeed, b.velocity
   for n = 1, work.count do
     local i = work.slot[n]
-    local k, m = 2 * i, 2 * i + 1
-    if softSpeed[k] ~= 0 or softSpeed[m] ~= 0 then
+    if softSpeed[2 * i] ~= 0 or softSpeed[2 * i + 1] ~= 0 then
       b.driftedCount = b.driftedCount + 1
       work.drifted[b.driftedCount] = i
       islands.wake(b, i)
-      if b.support[i] ~= 0 then
-        softSpeed[k] = down[k] == 0 and softSpeed[k] or 0
-        softSpeed[m] = down[m] == 0 and softSpeed[m] or 0
+    end
+    local vx, vy = velocity[2 * i], velocity[2 * i + 1]
+    local own = max(vx, -vx, vy, -vy)
+    for k = 2 * i, 2 * i + 1 do
+      local left = velocity[k] + softSpeed[k]
+      local speed = max(left, -left)
+      if softSpeed[k] * velocity[k] < 0 and speed < own then
+        softSpeed[k] = left * speed / own - velocity[k]
+      end
+      if b.support[i] ~= 0 and b.down[k] ~= 0 then
+        softSpeed[k] = 0
       end
     end
   end
@@ -258,19 +289,15 @@ end
 
 -- Finds the drift of all in a step of dt s.
 local function find(b, work, dt)
-  local count, size = findOverlaps(work)
-  count = keepSoft(b, work, count)
-  if count == 0 then
-    return
-  end
-  local fastest = 0.0
-  for n = 1, work.count do
-    fastest = max(fastest, work.most[n])
-  end
-  local parts = max(1, min(ceil(fastest / size * dt * STIFFNESS), MOST_PARTS))
-  for _ = 1, parts do
+  local way, own = work.fastest * dt, 0.0
+  local size, count, each = findNear(b, work, NEAR * way)
+  local stiffness = way / size * each
+  local parts = min(ceil(sqrt(stiffness + 0.25) - 0.5), MOST_PARTS)
+  for n = 1, parts do
+    local keep, part = (n - 1) / n, (4 * n - 2) / (n * (parts * parts + parts))
+    own = own * keep + part
     push(b, work, count)
-    advance(b, work, 1 / parts, dt)
+    advance(b, work, keep, part, own, dt)
   end
   listDrifted(b, work)
 end
@@ -319,23 +346,15 @@ function drift.start(b, dt)
   end
 end
 
--- Returns the velocity of its own that k has left, of `own`, after it has met something: what has
--- changed its speed has not turned it about.
-local function ownAfter(own, speed, change)
-  if change < 0 then
-    return min(own, max(own + change, speed))
-  end
-  return max(own, min(own + change, speed))
-end
-
---- Takes the drift off the velocities again, after a step.
+--- Takes the drift off the velocities again, after a step. What has changed the speed of a body
+--- changes its own velocity by as much, but does not turn it about.
 function drift.takeOff(b)
   local work = b.drifts
   for n = 1, b.driftedCount do
     local i = work.drifted[n]
     for k = 2 * i, 2 * i + 1 do
       local own, change = work.speed[k], b.speed[k] - b.freeSpeed[k]
-      b.speed[k] = change == 0 and own or ownAfter(own, b.speed[k], change)
+      b.speed[k] = max(min(own, own + change), min(b.speed[k], max(own, own + change)))
     end
   end
 end

@@ -21,7 +21,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
-local shapes = require(root .. ".space.shapes")
 
 local settle = {}
 
@@ -49,15 +48,11 @@ local function release(b, axis)
   end
 end
 
-local function isBall(b, k)
-  return b.hasRound and shapes.isRound[b.shape[floor(k * 0.5)]]
-end
-
 -- Returns where a squeezed body k goes: not so far that its middle is pushed into the immovable
--- body on that side, and a ball not at all. The place is its start if they differ by rounding only,
--- which would move it for ever.
+-- body on that side. The place is its start if they differ by rounding only, which would move it
+-- for ever.
 local function keepOut(b, k, place, sign)
-  local most, from, to = isBall(b, k) and 0.0 or b.size[k] * 0.5, b.from[k], b.to[k]
+  local most, from, to = b.size[k] * 0.5, b.from[k], b.to[k]
   if sign > 0 then
     place = min(place, max(to, b.to[b.holderHigh[k]] - b.size[k] + most))
   else
@@ -72,12 +67,11 @@ end
 -- presses it by `over` px more, to higher coordinates (`sign` 1) or to lower ones (-1).
 --
 -- - `held` is heldLow or heldHigh, on the side to which k is pressed. A row of such bodies shares
---   the overlap. A ball beside a wall stays out of that: others have the overlap.
+--   the overlap.
 -- - The body moves at the mean speed of the two immovable bodies.
 -- - If several bodies press it, the one with the largest overlap counts.
 local function squeeze(b, k, other, over, sign, held, pressing, holder)
-  local isBeside = b.give[other] == 0 and held[k] > 2 and isBall(b, k)
-  local share, most = isBeside and 1 or 1 - 1 / held[k], b.squeezed[k] * sign
+  local share, most = 1 - 1 / held[k], b.squeezed[k] * sign
   over = over + most * share
   if over > most then
     b.squeezed[k] = sign * over
