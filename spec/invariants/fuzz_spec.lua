@@ -1,4 +1,6 @@
---- A short part of the random games (spec/fuzz/). `make fuzz SECONDS=600` plays more of them.
+--- Proves that games at random keep every promise after every update, in three worlds that agree
+--- (spec/fuzz/checks.lua lists what); and that these checks notice what is broken on purpose. A short
+--- part: `make fuzz SECONDS=600` plays more.
 
 local case = require("spec.fuzz.case")
 local checks = require("spec.fuzz.checks")

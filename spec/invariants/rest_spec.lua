@@ -1,5 +1,5 @@
---- The smallest scenes in which skipping what rests once made a difference. Each is played with and
---- without it, and every hash and every event must be the same.
+--- Proves that skipping what rests changes nothing: the smallest scenes in which it once did, played
+--- with and without it. Every hash and every event must be the same.
 
 local physics = require("physics")
 local play = require("spec.support.play")

@@ -1,5 +1,5 @@
---- Oracles: what comes of stacks cannot be worked out by hand any more. It is what very small steps
---- lead to, as far as a step is long; and it never gets energy.
+--- Proves that stacks and rows go where very small steps lead them, as far as a step is long (by
+--- hand that cannot be worked out any more), and that friction gives them no energy.
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")

@@ -1,4 +1,6 @@
---- Oracles: impacts (spec/support/oracle.lua).
+--- Proves that impacts of two to five share momentum as worked out by hand, at their moment.
+--- The scenes are random, at several rates and with irregular steps; the formulas are those of the
+--- laws, and share nothing with the library (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
 local some = oracle.some

@@ -1,4 +1,6 @@
---- Oracles: free motion and bounces (spec/support/oracle.lua).
+--- Proves that free motion and bounces are as worked out by hand, after every step.
+--- The scenes are random, at several rates and with irregular steps; the formulas are those of the
+--- laws, and share nothing with the library (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
 local some = oracle.some
