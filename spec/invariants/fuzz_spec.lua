@@ -1,6 +1,6 @@
 --- Proves that games at random keep every promise after every update, in three worlds that agree
---- (spec/fuzz/checks.lua lists what); and that these checks notice what is broken on purpose. A short
---- part: `make fuzz SECONDS=600` plays more.
+--- (spec/fuzz/checks.lua lists what), and that these checks notice what is broken on purpose. A
+--- short part: `make fuzz SECONDS=600` plays more.
 
 local case = require("spec.fuzz.case")
 local checks = require("spec.fuzz.checks")

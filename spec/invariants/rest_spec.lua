@@ -1,5 +1,5 @@
---- Proves that skipping what rests changes nothing: the smallest scenes in which it once did, played
---- with and without it. Every hash and every event must be the same.
+--- Proves that skipping what rests changes nothing: the smallest scenes in which it once did,
+--- played with and without it. Every hash and every event must be the same.
 
 local physics = require("physics")
 local play = require("spec.support.play")

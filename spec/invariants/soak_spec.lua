@@ -1,6 +1,6 @@
---- Proves that a world can be played for as long as one likes, and far away: memory stays, no object
---- is lost, and a pile comes to rest ten million px from the origin. A short part: `make soak` plays
---- ten million steps.
+--- Proves that a world can be played for as long as one likes, and far away: memory stays, no
+--- object is lost, and a pile comes to rest ten million px from the origin. A short part:
+--- `make soak` plays ten million steps.
 
 local busy = require("spec.support.busy")
 local effort = require("spec.support.effort")
