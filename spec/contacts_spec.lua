@@ -1,11 +1,13 @@
 --- The contacts of an object: the field `touching`, what bounces, and what friction lifts. (More of
 --- friction is in contacts_friction_spec.lua; overlaps and crushing are scenarios.)
 
-local newBox = require("spec.support.box")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
+
+local newBox, update = small.box, small.run
 
 local DT = 1 / 60
 
@@ -17,16 +19,6 @@ local body = scene.maker("bodies")
 
 local function row(title, entries, given, rows)
   play.row(title, play.ONCE, entries, given, rows)
-end
-
--- Makes `count` steps of 1 / rate s.
-local function update(world, count, rate, each)
-  for n = 1, count do
-    world:update(1 / (rate or 60))
-    if each then
-      each(n)
-    end
-  end
 end
 
 describe("touching", function()

@@ -2,6 +2,9 @@
 --- and errors have files of their own.)
 
 local physics = require("physics")
+local small = require("spec.support.small")
+
+local sized = small.put
 
 local DT = 1 / 60
 
@@ -27,14 +30,6 @@ local function refusesStep(world, expected, dt)
     assert.equal(expected, message:match("debugging_spec%.lua:%d+: physics: (.*)$") or message)
     assert.same({ x, y, vx, vy }, { box.x, box.y, box.vx, box.vy })
   end
-end
-
-local function sized(x, fields)
-  local object = { x = x, y = 0, width = 10, height = 10 }
-  for name, value in pairs(fields or {}) do
-    object[name] = value
-  end
-  return object
 end
 
 local NIL = {}
@@ -379,8 +374,8 @@ describe("explain", function()
   }) do
     it("says: " .. row[3], function()
       local world = physics.newWorld({ gravity = 0 })
-      local a = world:add("a", sized(0, row[2]))
-      local b = world:add("b", sized(row[1].x or 0, row[1]))
+      local a = world:add("a", sized(0, 0, 10, 10, row[2]))
+      local b = world:add("b", sized(0, 0, 10, 10, row[1]))
       local sentence = world:explain(a, b)
       assert.is_truthy(sentence:find(NAMES, 1, true), sentence)
       assert.is_truthy(sentence:find(row[3], 1, true), sentence)
@@ -389,7 +384,7 @@ describe("explain", function()
 
   it("says which object is not there, what the world's masks and its canCollide do", function()
     local world = physics.newWorld({ gravity = 0, masks = { a = { b = false } } })
-    local a, b = world:add("a", sized(0)), world:add("b", sized(0))
+    local a, b = world:add("a", sized(0, 0, 10, 10)), world:add("b", sized(0, 0, 10, 10))
     local text = 'the world\'s masks let "a" pass through "b"'
     assert.is_truthy(world:explain(b, a):find(text, 1, true))
     assert.is_truthy(world:explain(a, a):find("same object", 1, true))

@@ -1,10 +1,12 @@
 --- Events: what the game is told about which objects, in which order, and what callbacks may do.
 
-local newBox = require("spec.support.box")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
+
+local newBox = small.box
 
 local DT = 1 / 60
 local ONCE = play.ONCE

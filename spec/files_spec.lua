@@ -1,20 +1,12 @@
 --- A game in files: scenes and rooms are worlds that know nothing of each other, and the library
 --- may lie in any folder.
 
-local newBox = require("spec.support.box")
 local physics = require("physics")
+local small = require("spec.support.small")
+
+local newBox, newFloor, run = small.box, small.floor, small.run
 
 local DT = 1 / 60
-
-local function newFloor(y)
-  return { x = -200, y = y or 100, width = 800, height = 16, static = true }
-end
-
-local function run(world, steps)
-  for _ = 1, steps or 60 do
-    world:update(DT)
-  end
-end
 
 describe("newWorld: two worlds", function()
   it("know nothing of each other", function()

@@ -1,10 +1,12 @@
 --- Objects and groups: which are in `world.objects`, and how they come and go.
 
 local garbage = require("spec.support.garbage")
-local newBox = require("spec.support.box")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
+
+local newBox, newFloor, run = small.box, small.floor, small.run
 
 local DT = 1 / 60
 local ONCE = play.ONCE
@@ -14,16 +16,6 @@ local solid = scene.maker("tiles", { static = true })
 local FLOOR = solid("floor", -200, 100, 800, 16)
 local STANDS = { FLOOR, box() }
 
-local function newFloor(y)
-  return { x = -200, y = y or 100, width = 800, height = 16, static = true }
-end
-
-local function run(world, steps)
-  for _ = 1, steps or 60 do
-    world:update(DT)
-  end
-end
-
 local function row(title, entries, given, rows)
   play.row(title, ONCE, entries, given, rows, {
     newBox = newBox,
@@ -32,15 +24,6 @@ local function row(title, entries, given, rows)
     up = { tiles = { boxes = false } },
     both = { tiles = true },
   })
-end
-
-local function update(world, count, each)
-  for n = 1, count do
-    world:update(DT)
-    if each then
-      each(n)
-    end
-  end
 end
 
 local function named(name, number)
@@ -310,7 +293,7 @@ describe("remove: what is gone", function()
         world:remove(tiles[i])
         tiles[i] = nil
       end
-      update(world, 2)
+      run(world, 2)
     end
     local kept = garbage.kept(fillAndEmpty, 2, 6) / (6 * 500)
     assert.is_true(kept <= 10, ("%.0f bytes of each are left"):format(kept))
@@ -324,9 +307,9 @@ describe("remove: what is gone", function()
     for i = 1, 100 do
       crates[i] = world:add("crates", { x = 30 * i, y = 84, width = 16, height = 16 })
     end
-    update(world, 10)
+    run(world, 10)
     world.objects.tiles = nil
-    update(world, 30, function(step)
+    run(world, 30, 60, function(step)
       for _, crate in ipairs(crates) do
         assert.near(84 + 400 * (step / 60) ^ 2, crate.y, 1e-9)
       end

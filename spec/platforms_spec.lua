@@ -4,7 +4,10 @@
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
+
+local update = small.run
 
 local SETTLE = 1 / 6 -- s, a whole number of steps at each rate
 
@@ -14,13 +17,6 @@ local carrier = scene.maker("carriers", { kinematic = true })
 local rider = scene.thing("players", { name = "rider", x = 120, y = 376, width = 16, height = 24 })
 
 local UPRIGHT = { shift = { 0, 1 / 3, -1000.1 }, rate = { 60, 30, 144 }, order = variants.ORDERS }
-
--- Makes `count` steps of 1 / rate s.
-local function update(world, count, rate)
-  for _ = 1, count do
-    world:update(1 / rate)
-  end
-end
 
 --      +-+  ->
 --      | |

@@ -1,31 +1,16 @@
 --- Questions in worlds of many objects that come, go and are written: the answers are those of a
 --- plain loop over all of them, and nothing changes by asking.
 
-local box = require("spec.support.box")
 local effort = require("spec.support.effort")
 local garbage = require("spec.support.garbage")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local script = require("spec.support.script")
+local small = require("spec.support.small")
+
+local sized, still, tile = small.put, small.still, small.tile
 
 local long = effort.isFirst and it or pending
-
--- A box; its fields are kept by `box`.
-local function sized(x, y, width, height, fields)
-  local object = box(x, y, fields)
-  object.width, object.height = width, height
-  return object
-end
-
-local function tile(x, y, width, height)
-  return sized(x, y, width, height, { static = true })
-end
-
-local function still(settings)
-  local world = physics.newWorld(settings)
-  world.gravity = settings and settings.gravity or 0
-  return world
-end
 
 --- 1 and 2 stand side by side, 3 overlaps both, 4 stands alone.
 ---

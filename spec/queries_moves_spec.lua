@@ -6,22 +6,13 @@ local garbage = require("spec.support.garbage")
 local newRandom = require("spec.support.random").new
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
+
+local box, still = small.put, small.still
 
 local long = effort.isFirst and it or pending
 
 local SHIFTS = { 0, 0.1, 1 / 3, -1000.1, 100000.3 }
-
-local function box(x, y, width, height, fields)
-  local object = { x = x, y = y, width = width, height = height }
-  for key, value in pairs(fields or {}) do
-    object[key] = value
-  end
-  return object
-end
-
-local function still()
-  return physics.newWorld({ gravity = 0 })
-end
 
 --- Hits as text: name of the other, side, response.
 local function told(hits, count)

@@ -1,26 +1,10 @@
 --- world:raycast and world:sweep.
 
-local box = require("spec.support.box")
-local physics = require("physics")
+local small = require("spec.support.small")
+
+local sized, still, tile = small.put, small.still, small.tile
 
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
-
--- A box; its fields are kept by `box`.
-local function sized(x, y, width, height, fields)
-  local object = box(x, y, fields)
-  object.width, object.height = width, height
-  return object
-end
-
-local function tile(x, y, width, height)
-  return sized(x, y, width, height, { static = true })
-end
-
-local function still(settings)
-  local world = physics.newWorld(settings)
-  world.gravity = settings and settings.gravity or 0
-  return world
-end
 
 describe("raycast", function()
   -- One box from (10, 10) to (30, 20).

@@ -1,29 +1,14 @@
 --- Questions: queryPoint, queryRect, querySegment, overlapping, nearest, touching, velocity, fits,
 --- and their filters. (Rays, circles, moves and worlds of many objects have files of their own.)
 
-local box = require("spec.support.box")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
+
+local box, sized, still, tile = small.box, small.put, small.still, small.tile
 
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
-
--- A box; its fields are kept by `box`.
-local function sized(x, y, width, height, fields)
-  local object = box(x, y, fields)
-  object.width, object.height = width, height
-  return object
-end
-
-local function tile(x, y, width, height)
-  return sized(x, y, width, height, { static = true })
-end
-
-local function still(settings)
-  local world = physics.newWorld(settings)
-  world.gravity = settings and settings.gravity or 0
-  return world
-end
 
 --- Names of the objects in a list, by their field `name`.
 local function names(list, count)

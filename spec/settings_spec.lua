@@ -1,16 +1,12 @@
 --- Settings: defaults, what a change does, and that changes come into effect at the next step.
 
 local fields = require("physics.fields.fields")
-local newBox = require("spec.support.box")
 local physics = require("physics")
+local small = require("spec.support.small")
+
+local newBox, play = small.box, small.run
 
 local DT = 1 / 60
-
-local function play(world, steps)
-  for _ = 1, steps or 60 do
-    world:update(DT)
-  end
-end
 
 describe("every setting:", function()
   it(

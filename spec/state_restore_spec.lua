@@ -4,13 +4,15 @@ local effort = require("spec.support.effort")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local states = require("spec.support.states")
 
 effort.interpretQuickly(setup, teardown)
 
 local DT = 1 / 60
-local mover, put, read, refused, run, smallWorld, write =
-  states.mover, states.put, states.read, states.refused, states.run, states.smallWorld, states.write
+local mover, run = small.put, small.run
+local put, read, refused, smallWorld, write =
+  states.put, states.read, states.refused, states.smallWorld, states.write
 
 local thing = scene.thing("boxes", { name = "box", x = 10, y = 84, width = 16, height = 16 })
 local FLOOR = scene.maker("floor", { static = true })("floor", 0, 100, 400, 20)

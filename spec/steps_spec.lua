@@ -2,8 +2,10 @@
 
 local physics = require("physics")
 local everything = require("spec.support.everything")
-local newBox = require("spec.support.box")
 local newRandom = require("spec.support.random").new
+local small = require("spec.support.small")
+
+local newBox, update = small.box, small.run
 
 local DT = 1 / 60
 
@@ -26,16 +28,6 @@ local function trackOf(lengths)
     track[math.floor(time / 16)] = table.concat(places, " ")
   end
   return world:hash(), track
-end
-
--- Makes `count` steps of 1 / rate s.
-local function update(world, count, rate, each)
-  for n = 1, count do
-    world:update(1 / (rate or 60))
-    if each then
-      each(n)
-    end
-  end
 end
 
 describe("timestep", function()

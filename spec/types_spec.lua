@@ -1,15 +1,13 @@
 --- Types of the reference: what is in `stats`, and that physics/types.lua has all fields.
 
 local fields = require("physics.fields.fields")
-local newBox = require("spec.support.box")
 local physics = require("physics")
 local read = require("spec.support.files").read
+local small = require("spec.support.small")
+
+local newBox, newFloor = small.box, small.floor
 
 local DT = 1 / 60
-
-local function newFloor(y)
-  return { x = -200, y = y or 100, width = 800, height = 16, static = true }
-end
 
 describe("stats", function()
   --   +--+

@@ -1,28 +1,14 @@
 --- The module and its worlds: `load`, `world:shift`, `world:impulse`, `world:setBounds` and
 --- `world:explode`. (Objects, steps, states, queries and the tutorial's functions have files.)
 
-local newBox = require("spec.support.box")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
+
+local box, newBox, newFloor, still = small.put, small.box, small.floor, small.still
 
 local DT = 1 / 60
-
-local function newFloor(y)
-  return { x = -200, y = y or 100, width = 800, height = 16, static = true }
-end
-
-local function still()
-  return physics.newWorld({ gravity = 0 })
-end
-
-local function box(x, y, width, height, fields)
-  local object = { x = x, y = y, width = width, height = height }
-  for key, value in pairs(fields or {}) do
-    object[key] = value
-  end
-  return object
-end
 
 local function crate(x, y, changes)
   local object = { name = "it", x = x, y = y, width = 20, height = 20 }

@@ -1,8 +1,10 @@
 --- In a steady scene an update allocates nothing: no pause of the garbage collector in a game.
 
 local garbage = require("spec.support.garbage")
-local newBox = require("spec.support.box")
 local physics = require("physics")
+local small = require("spec.support.small")
+
+local newBox = small.box
 
 local WARM_UP, MEASURED = 600, 100
 

@@ -3,6 +3,9 @@
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local small = require("spec.support.small")
+
+local tile = small.tile
 
 local long = effort.isFirst and it or pending
 
@@ -12,14 +15,6 @@ local LATER = 1e-6
 
 local function ball(x, y, radius, changes)
   local object = { x = x - radius, y = y - radius, radius = radius }
-  for name, value in pairs(changes or {}) do
-    object[name] = value
-  end
-  return object
-end
-
-local function tile(x, y, width, height, changes)
-  local object = { x = x, y = y, width = width, height = height, static = true }
   for name, value in pairs(changes or {}) do
     object[name] = value
   end

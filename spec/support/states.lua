@@ -50,12 +50,6 @@ function states.smallWorld(settings)
   return world, box, other
 end
 
-function states.run(world, count)
-  for _ = 1, count do
-    world:update(DT)
-  end
-end
-
 --- Fails unless the call of a method is refused with this text, at this file.
 function states.refused(text, world, method, ...)
   local given = { ... }
@@ -65,20 +59,6 @@ function states.refused(text, world, method, ...)
   assert(not ok, "it was not refused: " .. text)
   local isBlamed = message:find("states.lua:%d+: physics: ")
   assert(isBlamed and message:find(text, 1, true), message)
-end
-
-function states.solid(x, y, width, height, more)
-  local object = { x = x, y = y, width = width, height = height, static = true }
-  for name, value in pairs(more or {}) do
-    object[name] = value
-  end
-  return object
-end
-
-function states.mover(x, y, width, height, more)
-  local object = states.solid(x, y, width, height, more)
-  object.static = nil
-  return object
 end
 
 --- Sets what a path like "groups[2].name" leads to.

@@ -1,0 +1,55 @@
+--- What small scenes are made of: objects, tables for `world:add`, and steps.
+
+local physics = require("physics")
+
+local small = {}
+
+--- Returns an object at x, y with more fields, or other ones.
+---@param fields? table
+---@return table
+function small.put(x, y, width, height, fields)
+  local object = { x = x, y = y, width = width, height = height }
+  for name, value in pairs(fields or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+--- The same of 16 px.
+function small.box(x, y, fields)
+  return small.put(x, y, 16, 16, fields)
+end
+
+--- The same that is static.
+function small.tile(x, y, width, height, fields)
+  local object = small.put(x, y, width, height, fields)
+  object.static = true
+  return object
+end
+
+--- A floor of 800 px, on which a box of 16 px stands at y = 84.
+function small.floor()
+  return small.tile(-200, 100, 800, 16)
+end
+
+--- A world without gravity, if the settings name none.
+function small.still(settings)
+  local world = physics.newWorld(settings)
+  world.gravity = settings and settings.gravity or 0
+  return world
+end
+
+--- Makes `count` steps of 1 / rate s, and calls `each(n)` after the n-th.
+---@param count? number default 60
+---@param rate? number default 60
+---@param each? fun(n: integer)
+function small.run(world, count, rate, each)
+  for n = 1, (count or 60) + 1e-6 do
+    world:update(1 / (rate or 60))
+    if each then
+      each(n)
+    end
+  end
+end
+
+return small
