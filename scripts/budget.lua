@@ -10,15 +10,15 @@ local BUDGET = {
   { "physics/contacts", 402 },
   { "physics/fields", 736 },
   { "physics/maps", 2331 },
-  { "physics/memory", 848 },
+  { "physics/memory", 851 },
   { "physics/motion", 984 },
   { "physics/objects", 1212 },
   { "physics/queries", 824 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4045 },
+  { "physics/solver", 4046 },
   { "physics/space", 395 },
   { "physics/state", 913 },
-  { "physics/world", 1504 },
+  { "physics/world", 1500 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -50,7 +50,7 @@ local BRANCHING = {
 
 compiler.rows = { NEXT, BRANCHING }
 
-local exported = {} -- functions that modules give to others
+local exported = {} -- functions that modules give to others, while it works
 local handled = {} -- names of modules
 
 -- Calls `visit(name, f)` for each function that a module gives to others.
@@ -113,10 +113,12 @@ end
 -- Returns the modules that were loaded since the last call, by their names without the root.
 local function listNew(root)
   local list, prefix = {}, root .. "."
+  exported = {}
   for name, module in next, package.loaded, nil do
     local isOurs = type(name) == "string" and name:sub(1, #prefix) == prefix
-    if isOurs and not handled[name] and (type(module) == "table" or type(module) == "function") then
-      handled[name], list[name:sub(#prefix + 1)] = true, module
+    if isOurs and (type(module) == "table" or type(module) == "function") then
+      list[name:sub(#prefix + 1)] = not handled[name] and module or nil
+      handled[name] = true
       eachExport(module, export)
     end
   end
@@ -134,6 +136,7 @@ function compiler.apply(root)
       end
     end
   end
+  exported = {}
 end
 
 if type(jit) == "table" and jit.opt and type(debug) == "table" and debug.getupvalue then

@@ -12,6 +12,7 @@
 -- hitAt, hitLow, hitHigh, impactsOf, base, grip, rough, and what holds the bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
 local flow = require(root .. ".solver.flow")
@@ -245,8 +246,8 @@ end
 function impact.sense(b, p, i, j, axis, t, dt)
   local _, o, v, a = meet(b, i, j, axis, false)
   local u = approach(o, v, a, (1 - t) * dt)
-  if b.hasRound and touch.isRound(b, i, j) then
-    u = touch.approach(b, i, j, t, dt)
+  if b.hasRound and ball.isRound(b, i, j) then
+    u = ball.approach(b, i, j, t, dt)
   end
   impact.note(b, p, i, axis, u, t)
 end
@@ -298,9 +299,9 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   path.advance(b, j, t)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  if b.hasRound and touch.isRound(b, i, j) then
+  if b.hasRound and ball.isRound(b, i, j) then
     local r, tau = max(b.restitution[i], b.restitution[j]), min((1 - t) * dt, left)
-    local u, stays = touch.impact(b, i, j, axis, isDeep, tau, dt, isLate, r)
+    local u, stays = ball.impact(b, i, j, axis, isDeep, tau, dt, isLate, r)
     if u then
       impact.note(b, p, i, axis, u, t)
       return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays

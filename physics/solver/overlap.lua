@@ -17,6 +17,7 @@
 -- and crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
@@ -292,7 +293,7 @@ end
 -- Returns whether the bodies of pair p are parted here at all.
 local function isOpen(b, p, i, j)
   local canMove = b.kind[i] == DYNAMIC or b.kind[j] == DYNAMIC
-  local isRolling = b.hasRound and touch.isRound(b, i, j) and not touch.isLost(b, i, j)
+  local isRolling = b.hasRound and ball.isRound(b, i, j) and not ball.isLost(b, i, j)
   return filter.areSolid(b, i, j) and canMove and not isRolling and b.wedged[p] == 0
 end
 

@@ -10,7 +10,7 @@
 -- inRound.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local touch = require(root .. ".solver.touch")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")
@@ -176,7 +176,7 @@ local function happen(b, n, dt, isLast, isLate)
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  local isRound = b.hasRound and touch.isRound(b, i, j)
+  local isRound = b.hasRound and ball.isRound(b, i, j)
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return

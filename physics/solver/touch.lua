@@ -13,16 +13,12 @@
 -- Reads the paths, shape; writes to, speed, deflectedAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local path = require(root .. ".motion.path")
 local shapes = require(root .. ".space.shapes")
 
 local touch = {}
-
--- Of two of which one is round.
-touch.approach, touch.deepAxis, touch.separation = ball.approach, ball.deepAxis, ball.separation
-touch.impact, touch.isLost, touch.isRound = ball.impact, ball.isLost, ball.isRound
 
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
 local EPSILON, SLACK = columns.EPSILON, columns.SLACK
@@ -39,7 +35,7 @@ function touch.haveFaces(b, i, j)
   return isBox[one] and isSlope[other] or isBox[other] and isSlope[one]
 end
 
-local isRound, haveFaces = touch.isRound, touch.haveFaces
+local haveFaces = touch.haveFaces
 
 --- Returns the box and the slope of a pair.
 function touch.order(b, i, j)
@@ -147,7 +143,7 @@ end
 --- inside each other. Nil: they are boxes.
 function touch.side(b, i, j)
   local slack, q, isLow, gap, nx, ny = EPSILON
-  if isRound(b, i, j) then
+  if b.hasRound and ball.isRound(b, i, j) then
     gap, nx, ny = ball.gapIn(b, b.to, i, j)
     slack = (ball.isInHeap(b, i) or ball.isInHeap(b, j)) and SLACK or slack
     q, isLow = shapes.sideOf(nx, ny, false)
@@ -176,7 +172,7 @@ end
 --- and from where to where across it. Of a box and a slope the side of the box counts.
 function touch.line(b, i, j, side, t)
   local axis, isOnSlope = AXIS[side], b.hasShapes and haveFaces(b, i, j)
-  if b.hasShapes and isRound(b, i, j) then
+  if b.hasRound and ball.isRound(b, i, j) then
     local x, y = ball.point(b, i, j, t)
     local across = axis == 0 and y or x
     return axis == 0 and x or y, across, across
