@@ -591,7 +591,7 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---     grazes a corner             no hit
 ---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
---- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
+--- Source: slab method; the grid is walked in strips (see physics/broadphase/gridLines.lua).
 ---
 --- Errors: a coordinate is not a finite number; the filter cannot be used.
 ---@param x1 number px

@@ -2,12 +2,12 @@
 --- The memory of a world: one array ("column") per property, one index ("slot") per object. What
 --- columns there are is in layout.lua.
 --
--- Every stage of a step reads and writes these columns and nothing else. The game's tables are read
--- in objects/read.lua and written in objects/write.lua. Columns with a value for each axis are
--- interleaved: `column[2 * slot]` is x and `column[2 * slot + 1]` is y, so that one function serves
--- both axes. Pairs of neighbours have columns of their own. Each pair is in the lists of both of
--- its objects by two half-edges (`2 * pair - 1` and `2 * pair`). So `floor(k * 0.5)` is the slot of
--- an index, and `floor(half * 0.5 + 0.5)` the pair of a half-edge.
+-- The stages of a step read and write these columns, and lists and counts (see initial.lua). The
+-- game's tables are read in objects/read.lua and written in objects/write.lua. Columns with a value
+-- for each axis are interleaved: `column[2 * slot]` is x and `column[2 * slot + 1]` is y, so that
+-- one function serves both axes. Pairs of neighbours have columns of their own. Each pair is in the
+-- lists of both of its objects by two half-edges (`2 * pair - 1` and `2 * pair`). So
+-- `floor(k * 0.5)` is the slot of an index, and `floor(half * 0.5 + 0.5)` the pair of a half-edge.
 --
 -- No column is shared between worlds: a callback may step another world.
 

@@ -8,7 +8,8 @@
 -- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace,
 -- so each query compares all that moves. Groups in which nothing moves are compared by the first
 -- query after an update, `add`, `remove` or `refresh`. In a world of more than `FEW` movers that is
--- so for all. What is found becomes a *catch*: columns by place in it.
+-- so for all. What has changed is noted in the *view* of the world. What is found becomes a
+-- *catch*: columns by place in it.
 --
 -- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
 
@@ -96,7 +97,7 @@ local function lookAtGroups(v, world)
   end
 end
 
--- Errors: a place, size or `active` that cannot be used.
+-- Errors: an object of which place, size or `active` cannot be used.
 local function checkPlace(object, record, key)
   local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
   if
