@@ -181,7 +181,7 @@ local function listNear(b, work, near, most)
   for p = 1, work.count do
     local fromX, fromY, w, h = x[p] - work.lowX, y[p] - work.lowY, halfX[p] + near, halfY[p] + near
     local first = max(floor((fromX - w - most) * partX), 0)
-    local final = min(floor((fromX + w) * partX), across - 1) + 1
+    local final = min(floor((fromX + w) * partX), across - 1) + 1 ---@type number
     local row, before = floor((y[p] - halfY[p] - work.lowY) * partY), count
     for r = row, min(floor((fromY + h) * partY), work.rows - 1) do
       for q = r == row and p + 1 or start[r * across + first], start[r * across + final] - 1 do
