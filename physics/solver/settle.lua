@@ -8,8 +8,9 @@
 --    what leans on that, and so on (`hold`). What is held on both sides is squeezed (`squeeze`).
 -- 2. Free bodies that press each other become blocks with a common velocity (see pool.lua).
 --
--- For example, a box that is pushed against a wall ends flush with it at the speed of the wall.
--- What pushes it is held in the same way.
+-- For example, a box that touches a wall when the step begins, and is pushed against it, ends flush
+-- with it at the speed of the wall. What pushes it is held in the same way. A box that comes to the
+-- wall inside the step has an impact (`stick` in impact.lua), and is a contact from then on.
 --
 -- heldLow and heldHigh of a body are 0 if it can give way to that side. Otherwise they are 1 plus
 -- the number of contacts between it and the immovable body that holds it there.

@@ -7,7 +7,7 @@
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
 -- 4. Limit the motion of overlapping bodies (`relax`), let bodies go down with the ground
---    (`snap`), note what is pressed and what is crushed (`pressed`).
+--    (`snap`), note what is pressed and what is crushed (`notePressed`).
 --
 -- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
 --
