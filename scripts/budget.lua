@@ -16,7 +16,7 @@ local BUDGET = {
   { "physics/queries", 824 },
   { "physics/sleep", 90 },
   { "physics/solver", 4046 },
-  { "physics/space", 395 },
+  { "physics/space", 393 },
   { "physics/state", 913 },
   { "physics/world", 1500 },
 }
