@@ -28,10 +28,9 @@ local function newRecord(name, source)
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
-    first = 1, -- the place from which on it has changed; count + 1: it has not
-    newKeys = false, -- what it holds now,
-    newCount = 0,
-    found = {}, -- and the slots of that, from `first` on
+    -- `first`: the place from which on it has changed; count + 1: it has not. `newKeys` and
+    -- `newCount`: what it holds now (see compareAll).
+    found = {}, -- the slots of that, from `first` on
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     mixed = false, -- its keys were not 1, 2, 3 … in the order of `next`
@@ -153,12 +152,6 @@ function groups.haveChanged(self, objects)
   return n ~= self.groupCount
 end
 
-local function checkGroup(name, source)
-  if type(source) ~= "table" then
-    check.refuse(check.place(name), "a group (a table of objects) or an object", source)
-  end
-end
-
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.
 --- Errors: a table of groups that is none, or a group.
 function groups.read(self, objects)
@@ -168,7 +161,9 @@ function groups.read(self, objects)
   end
   for index, name in ipairs(sortedNames(self, objects)) do
     local source, record = objects[name], self.byName[name]
-    checkGroup(name, source)
+    if type(source) ~= "table" then
+      check.refuse(check.place(name), "a group (a table of objects) or an object", source)
+    end
     if not record or not rawequal(record.source, source) then
       record = newRecord(name, source)
     end
