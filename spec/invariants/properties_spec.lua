@@ -1,8 +1,8 @@
 --- What holds for every scene, tried on random ones. Failures name the seed.
 
+local everything = require("spec.support.everything")
 local fold = require("spec.support.fold")
 local effort = require("spec.support.effort")
-local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
 local golden = require("spec.support.golden")
 local physics = require("physics")
@@ -25,39 +25,13 @@ local function trackOf(seed, options, push)
 end
 
 --- Plays a player to the end; fails with the first difference from a track.
-local function checkSame(seed, track, player, before)
-  local more = true
-  while more do
-    if before then
-      before(player)
-    end
-    more = player:next()
-    local text = more and script.difference(track, player)
+local function checkSame(seed, track, player)
+  while player:next() do
+    local text = script.difference(track, player)
     if text then
       error(("seed %d, %s"):format(seed, text), 2)
     end
   end
-end
-
---- Lets 30 boxes fall on a floor and go again, in a seeded order.
-local function comeAndGo(world, seed)
-  local random, guests = newRandom(seed), {}
-  guests[1] = world:add("guests", { x = 0, y = 100, width = 400, height = 8, static = true })
-  for i = 2, 30 do
-    guests[i] = world:add("guests", { x = 12 * i, y = 5 * i, width = 16, height = 16 })
-  end
-  for i, guest in ipairs(random:shuffled(guests)) do
-    if i % 3 == 0 then
-      world:update(1 / 60)
-    end
-    world:remove(guest)
-  end
-  world:update(1 / 60)
-  world.objects.guests = nil
-end
-
-local function isFinite(value)
-  return value == value and value > -1e9 and value < 1e9
 end
 
 describe("broadphase, rest and order: the same scene goes the same way, to the bit,", function()
@@ -96,7 +70,7 @@ describe("broadphase, rest and order: the same scene goes the same way, to the b
   it("under the same keys, whatever came and went before", function()
     for seed = 1, effort.share(5) do
       local function visit(world)
-        comeAndGo(world, seed)
+        everything.comeAndGo(world, seed)
       end
       local player = script.play(script.new(seed, WILD), nil, nil, visit)
       checkSame(seed, trackOf(seed, WILD), player)
@@ -155,26 +129,7 @@ local function expectApart(seed, push)
   end
 end
 
-describe("x and vx: whatever happens,", function()
-  it("every number stays finite", function()
-    for _, push in ipairs({ "both", "first" }) do
-      for seed = 100, 99 + effort.share(6) do
-        local player = script.play(script.new(seed, WILD), { push = push })
-        while player:next() do
-          for i = 1, player.count do
-            local object = player.list[i]
-            if object then
-              local moves = isFinite(object.vx or 0) and isFinite(object.vy or 0)
-              local is = isFinite(object.x) and isFinite(object.y) and moves
-              local text = "seed %d, push %s, step %d: object %d is lost"
-              assert(is, text:format(seed, push, player.step, i))
-            end
-          end
-        end
-      end
-    end
-  end)
-
+describe("x and y: whatever happens,", function()
   local function expectAllApart(first, last)
     for _, push in ipairs({ "both", "first" }) do
       for seed = first, last do
@@ -191,36 +146,6 @@ describe("x and vx: whatever happens,", function()
 
   it("nothing sinks, in more games #slow", function()
     expectAllApart(212, 219)
-  end)
-
-  it("two worlds do not disturb each other", function()
-    local other = script.play(script.new(2, WILD))
-    local player = script.play(script.new(1, WILD))
-    checkSame(1, trackOf(1, WILD), player, function()
-      other:next()
-    end)
-  end)
-end)
-
-describe("save and restore: a saved state", function()
-  it("goes on as the first time, to the bit", function()
-    for seed = 1, effort.share(5) do
-      local random = script.new(seed, QUIET)
-      local player = script.play(random)
-      for _ = 1, 50 do
-        player:next()
-      end
-      local state, first = player.world:save(), {}
-      while player:next() do
-        first[#first + 1] = player.world:hash()
-      end
-      player.world:restore(state)
-      for i = 1, 50 do
-        player.world:update(random.steps[50 + i].dt)
-        local text = "seed %d: step %d differs"
-        assert(player.world:hash() == first[i], text:format(seed, 50 + i))
-      end
-    end
   end)
 end)
 

@@ -139,11 +139,9 @@ function everything.newWorld(settings)
 end
 
 --- Puts the scene into a world.
----@param insert function? like world.add
-function everything.fill(world, insert)
-  insert = insert or world.add
+function everything.fill(world)
   local function put(group, object)
-    insert(world, group, object)
+    world:add(group, object)
   end
   makeLevel(put)
   makeBoxes(put)
@@ -152,8 +150,8 @@ function everything.fill(world, insert)
   return world
 end
 
-function everything.new(settings, insert)
-  return everything.fill(everything.newWorld(settings), insert)
+function everything.new(settings)
+  return everything.fill(everything.newWorld(settings))
 end
 
 -- Between which places which lift goes to and fro, and how fast.
@@ -265,6 +263,25 @@ function everything.fold(world, between)
     sum = sum - math.floor(sum / 99999999999973) * 99999999999973
   end
   return ("%.0f"):format(sum)
+end
+
+--- Lets objects come into a world, fall and go again, in a seeded order. Everything in the world's
+--- tables and order stays the same; slots and pairs do not.
+function everything.comeAndGo(world, seed)
+  local random, guests = newRandom(seed), {}
+  for n = 1, 40 do
+    local guest = { x = 10 * n, y = 5 * n, width = 30, height = 30, static = n % 5 == 0 }
+    guests[n] = world:add("guests", guest)
+  end
+  for n, guest in ipairs(random:shuffled(guests)) do
+    if n % 7 == 0 then
+      world:update(1 / 60)
+    end
+    world:remove(guest)
+  end
+  world:update(1 / 60)
+  world.objects.guests = nil
+  world:update(0)
 end
 
 if arg and arg[0] and arg[0]:find("everything%.lua$") then
