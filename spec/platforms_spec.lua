@@ -7,6 +7,7 @@ local scene = require("spec.support.scene")
 local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
+local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 local update = small.run
 
 local SETTLE = 1 / 6 -- s, a whole number of steps at each rate
@@ -150,94 +151,83 @@ end)
 --   =======  v  ...    =======     both are written elsewhere in the same frame
 -- The man fell behind, and a contact ended that was never broken.
 describe("x and y: what is put elsewhere together with what carries it", function()
-  local STACK = { "car", "crate", "man" }
-
-  for _, speed in ipairs({ { 0, 240 }, { 0, -120 }, { 100, 0 }, { -60, 30 }, { 0, 0 } }) do
+  local SPEEDS, WAYS = { { 0, 240 }, { 0, -120 }, { 100, 0 }, { -60, 30 }, { 0, 0 } }, {}
+  for _, speed in ipairs(SPEEDS) do
     for _, way in ipairs({ { 0, -480 }, { 700, 0 }, { -2000.5, 333.25 }, { 3, 0 } }) do
-      local title = "goes on riding: a carrier of %g, %g px/s, by %g, %g px"
-      scene.it(title:format(speed[1], speed[2], way[1], way[2]), UPRIGHT, function(run)
-        local named = run:build({
-          carrier("car", 0, 400, 100, 16, { vx = speed[1], vy = speed[2] }),
-          body("crate", 20, 368, 32, 32),
-          body("man", 24, 344, 16, 24),
-        })
-        local log = run:listenToWorld()
-        run:play(SETTLE)
-        for _ = 1, 3 do
-          local offsets = { named.crate.x - named.car.x, named.man.x - named.crate.x }
-          for _, name in ipairs(STACK) do
-            named[name].x, named[name].y = named[name].x + way[1], named[name].y + way[2]
-          end
-          run.world:refresh(named.car.raw)
-          for _ in run:steps(0.5) do
-            for i, offset in ipairs(offsets) do
-              local low, high = named[STACK[i]], named[STACK[i + 1]]
-              run:near("the gap", low.y - high.y - high.height, 0)
-              run:near("the place on it", high.x - low.x, offset)
-              run:same("touching.bottom", run:support(high), low)
-            end
-          end
-        end
-        run:same("ends", log.ends, 0)
-        run:same("begins", log.begins, 2)
-      end)
+      WAYS[#WAYS + 1] = { speed[1], speed[2], way[1], way[2] }
     end
   end
+  local JUMP = {
+    "car.x, car.y, crate.x, crate.y = car.x + dx, car.y + dy, crate.x + dx, crate.y + dy",
+    "man.x, man.y, low, high = man.x + dx, man.y + dy, crate.x - car.x, man.x + dx - crate.x",
+    "world:refresh(car.raw)",
+    {
+      0.5,
+      "car.y - crate.y ~ 32",
+      "crate.y - man.y ~ 24",
+      "crate.x - car.x ~ low",
+      "man.x - crate.x ~ high",
+      "crate.touching.bottom == car",
+      "man.touching.bottom == crate",
+    },
+  }
+  play.row("goes on riding: a carrier of {vx}, {vy} px/s, by {dx}, {dy} px", UPRIGHT, function(v)
+    return {
+      carrier("car", 0, 400, 100, 16, { vx = v.vx, vy = v.vy }),
+      body("crate", 20, 368, 32, 32),
+      body("man", 24, 344, 16, 24),
+    }
+  end, {
+    "log = run:listenToWorld()",
+    SETTLE,
+    JUMP,
+    JUMP,
+    JUMP,
+    "log.ends == 0; log.begins == 2",
+  }, { "vx, vy, dx, dy", unpack(WAYS) })
 
-  scene.it("goes on when everything is moved, static objects too", UPRIGHT, function(run)
-    local named = run:build({
-      solid("floor", -500, 300, 1000, 16),
-      carrier("lift", 0, 250, 60, 16, { vy = -30 }),
-      body("crate", 100, 284, 16, 16),
-      body("top", 100, 268, 16, 16),
-      body("man", 20, 226, 16, 24),
-    })
-    local log = run:listenToWorld()
-    run:play(SETTLE)
-    local begins = log.begins
-    for _, object in ipairs(run.all) do
-      object.x, object.y = object.x - 5000, object.y + 2500
-      if object.static or object.kinematic then
-        run.world:refresh(object)
+  play.row("goes on when everything is moved, static objects too", UPRIGHT, {
+    solid("floor", -500, 300, 1000, 16),
+    carrier("lift", 0, 250, 60, 16, { vy = -30 }),
+    body("crate", 100, 284, 16, 16),
+    body("top", 100, 268, 16, 16),
+    body("man", 20, 226, 16, 24),
+  }, {
+    "log = run:listenToWorld()",
+    SETTLE,
+    "begins = log.begins",
+    function(run)
+      for _, object in ipairs(run.all) do
+        object.x, object.y = object.x - 5000, object.y + 2500
+        if object.static or object.kinematic then
+          run.world:refresh(object)
+        end
       end
-    end
-    for _ in run:steps(0.5) do
-      run:near("the crate", named.crate.y, 2784)
-      run:near("the one on it", named.top.y, 2768)
-      run:near("the gap below the man", named.lift.y - named.man.y, 24)
-    end
-    run:same("begins", log.begins, begins)
-    run:same("ends", log.ends, 0)
-  end)
+    end,
+    { 0.5, "crate.y ~ 2784", "top.y ~ 2768", "lift.y - man.y ~ 24" },
+    "log.begins == begins; log.ends == 0",
+  })
 
   -- It fell beside the lift for two dozen updates.
-  for _, speed in ipairs({ { 0, 30 }, { 0, 60 }, { 0, 200 }, { 0, 400 }, { 40, 120 } }) do
-    for _, how in ipairs({ "written", "added" }) do
-      local title = "is taken along from the second update on by a lift at %d, %d px/s, if it is %s"
-      scene.it(title:format(speed[1], speed[2], how), UPRIGHT, function(run)
-        local named = run:build({
-          carrier("lift", 100, 0, 64, 8, { vx = speed[1], vy = speed[2] }),
-          how == "written" and body("man", -400, -500, 16, 24) or nil,
-        })
-        run:step(1 / run.rate)
-        local man, y = named.man, named.lift.y - 24
-        if man then
-          man.x, man.y, man.vy = named.lift.x + 20, y, 0
-        else
-          local fields = { x = named.lift.x + 20, y = y, width = 16, height = 24 }
-          man = run:add("bodies", fields)
-        end
-        run:step(1 / run.rate)
-        run:step(1 / run.rate)
-        local offset = man.x - named.lift.x
-        for _ in run:steps(1) do
-          run:near("the gap", named.lift.y - man.y - 24, 0)
-          run:near("the place on it", man.x - named.lift.x, offset)
-          run:same("touching.bottom", man.raw.touching.bottom, named.lift.raw)
-        end
-      end)
-    end
+  local RIDES = {}
+  for n, speed in ipairs({ { 0, 30 }, { 0, 60 }, { 0, 200 }, { 0, 400 }, { 40, 120 } }) do
+    RIDES[2 * n - 1] = { "written", speed[1], speed[2] }
+    RIDES[2 * n] = { "added", speed[1], speed[2] }
   end
+  local title = "is taken along from the second update on if {how}, by a lift at {vx}, {vy} px/s"
+  play.row(title, UPRIGHT, function(v)
+    local lift = carrier("lift", 100, 0, 64, 8, { vx = v.vx, vy = v.vy })
+    return { lift, v.how == "written" and body("man", -400, -500, 16, 24) or nil }
+  end, {
+    { steps = 1 },
+    function(run, it)
+      local man = it.man or run:add(unpack(body("man", 0, 0, 16, 24)))
+      man.x, man.y, man.vy = it.lift.x + 20, it.lift.y - 24, 0
+    end,
+    { steps = 2 },
+    "x = man.x - lift.x",
+    { 1, "lift.y - man.y ~ 24", "man.x - lift.x ~ x", "man.touching.bottom == lift" },
+  }, { "how, vx, vy", unpack(RIDES) })
 end)
 
 --   ##+-+
