@@ -315,11 +315,12 @@ local function consider(b, p)
   end
 end
 
--- Considers the pairs of slot i that are not laid out by a crowd.
+-- Considers the pairs of slot i. (A crowd lays out its members: they leave only what is none.)
 local function considerAll(b, i)
   local half = b.head[i]
   while half ~= 0 do
-    if max(b.crowd[2 * i], b.crowd[2 * b.other[half]]) <= 0 then
+    local j = b.other[half]
+    if max(b.crowd[2 * i], b.crowd[2 * j]) <= 0 or b.kind[i] ~= b.kind[j] then
       consider(b, floor(half * 0.5 + 0.5))
     end
     half = b.next[half]
