@@ -12,6 +12,8 @@ local games = {}
 -- Px by which a mixed crowd may press one of its own into a player with `strength` of 16 px: a
 -- circle that boxes wedge in at its corner. (1.0.0: 2.4 px. Boxes alone: none.)
 local PRESSED = 4
+-- Px by which what glides along a crate may shift it: both are flush, but for the last bits.
+local ROUNDING = 1e-9
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
 -- A game has its world, `movers`, `solids`, `room`, `carried` (px that a frame may add to a way),
@@ -247,6 +249,10 @@ function kinds.breakout(random)
     end
   end
   function game.act()
+    -- A ball beside the paddle is missed, and served anew. (It would be crushed against the wall.)
+    if ball.y + size > paddle.y + 1 then
+      ball.x, ball.y, ball.vy = 150, 180, -abs(ball.vy)
+    end
     paddle.vx = max(-240, math.min(240, (ball.x - paddle.x - 16) * 12))
     if paddle.x < 2 and paddle.vx < 0 or paddle.x > 278 and paddle.vx > 0 then
       paddle.vx = 0
@@ -348,7 +354,8 @@ function kinds.sokoban(random)
     for n, crate in ipairs(crates) do
       local t, was = crate.touching, game[n]
       local isTouched = t.left or t.right or t.top or t.bottom
-      if was.stands and not isTouched and (crate.x ~= was.x or crate.y ~= was.y) then
+      local isMoved = max(abs(crate.x - was.x), abs(crate.y - was.y)) > ROUNDING
+      if was.stands and not isTouched and isMoved then
         return "shaken", ("crate %d moves by itself"):format(n)
       end
     end
