@@ -299,7 +299,7 @@ function kinds.marbles(random)
   game.carried = 12 -- what they push each other by while they are poured
   function game.check(frame)
     for n, one in ipairs(game.movers) do
-      for m = frame < 60 and #game.movers or n + 1, #game.movers do
+      for m = n + 1, frame < 60 and 0 or #game.movers do
         if m ~= n and watcher.depth(one, game.movers[m]) > 1 then
           return "overlap", ("%d and %d by %g px"):format(n, m, watcher.depth(one, game.movers[m]))
         end

@@ -220,13 +220,10 @@ end)
 
 -- 2000 of each: `make games GAMES=2000`.
 describe("games of the kinds that are made show nothing that a player would notice:", function()
-  -- Red: in a heap that is poured at 30 Hz a marble is 0.5 px in the foot of a ramp for a frame.
-  pending("marbles, seed 2")
-
   for _, kind in ipairs(games.kinds) do
     local play = kind == "survivors" and long or it
     play(kind, function()
-      for seed = 1, kind == "marbles" and 1 or effort.share(4) do
+      for seed = 1, effort.share(4) do
         local failure = games.play(kind, seed, 300)
         assert(
           not failure,
