@@ -352,10 +352,9 @@ local function part(b, p)
   local axis = height < width and 1 or 0
   local isLow = b.from[2 * i + axis] <= b.from[2 * j + axis]
   local isMet = rules.permits(b, isLow and i or j, isLow and j or i, axis)
-  if isMet and not tryWays(b, i, j, leave) and b.kind[j] ~= DYNAMIC then
-    if not tryWays(b, i, j, leaveCorner) then
-      bury(b, i, j)
-    end
+  local isFree = not isMet or tryWays(b, i, j, leave)
+  if not isFree and b.kind[j] ~= DYNAMIC and not tryWays(b, i, j, leaveCorner) then
+    bury(b, i, j)
   end
 end
 
