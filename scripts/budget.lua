@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1202 },
   { "physics/queries", 824 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4046 },
+  { "physics/solver", 4043 },
   { "physics/space", 393 },
   { "physics/state", 913 },
   { "physics/world", 1491 },

@@ -53,13 +53,9 @@ end
 -- body on that side. The place is its start if they differ by rounding only, which would move it
 -- for ever.
 local function keepOut(b, k, place, sign)
-  local most, from, to = b.size[k] * 0.5, b.from[k], b.to[k]
-  if sign > 0 then
-    place = min(place, max(to, b.to[b.holderHigh[k]] - b.size[k] + most))
-  else
-    local wall = b.holderLow[k]
-    place = max(place, min(to, b.to[wall] + b.size[wall] - most))
-  end
+  local half, from, to, wall = b.size[k] * 0.5, b.from[k], b.to[k], b.holderLow[k]
+  place = sign > 0 and min(place, max(to, b.to[b.holderHigh[k]] - half))
+    or max(place, min(to, b.to[wall] + b.size[wall] - half))
   local isThere = place - from <= EPSILON and from - place <= EPSILON
   return isThere and from or place
 end
@@ -68,11 +64,12 @@ end
 -- presses it by `over` px more, to higher coordinates (`sign` 1) or to lower ones (-1).
 --
 -- - `held` is heldLow or heldHigh, on the side to which k is pressed. A row of such bodies shares
---   the overlap.
+--   the overlap, but the middle of what is beside a wall stays out of that: others overlap more.
 -- - The body moves at the mean speed of the two immovable bodies.
 -- - If several bodies press it, the one with the largest overlap counts.
 local function squeeze(b, k, other, over, sign, held, pressing, holder)
-  local share, most = 1 - 1 / held[k], b.squeezed[k] * sign
+  local isBeside, most = b.give[other] == 0 and held[k] > 2, b.squeezed[k] * sign
+  local share = max(1 - 1 / held[k], isBeside and 1 - b.size[k] * 0.5 / over or 0)
   over = over + most * share
   if over > most then
     b.squeezed[k] = sign * over
