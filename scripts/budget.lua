@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/sleep", 90 },
   { "physics/solver", 4043 },
   { "physics/space", 393 },
-  { "physics/state", 913 },
+  { "physics/state", 911 },
   { "physics/world", 1491 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
