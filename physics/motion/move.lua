@@ -2,7 +2,6 @@
 --- Move: computes the path of every body in this step from its free flight and its carrier, as if
 -- nothing were in the way.
 --
--- Reads from, velocity, written, carrier, flowPull, flowAir; writes to, speed, way, accel, carried.
 -- Air friction, drag and limits are in forces.lua. From here until objects/write.lua all velocities
 -- are absolute. The velocity of a carrier is added here and taken off there.
 

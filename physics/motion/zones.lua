@@ -19,7 +19,7 @@ local sort = require(root .. ".memory.sort")
 
 local zones = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, TINY = columns.DYNAMIC, columns.TINY
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Share of the radius within which an attractor gets weaker towards its centre.
 local CORE = 0.125
@@ -34,7 +34,6 @@ function zones.note(b, i)
   end
   list[isListed and #list or #list + 1] = isListed and list[#list] or i
   b.hasZones = true
-  b.hasTurns = b.hasTurns or area.gravity ~= nil or area.gravityX ~= nil
   b.hasHinders = b.hasHinders or (area.drag or 0) > 0
   b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
 end
@@ -94,11 +93,9 @@ local function attract(b, i, j, share, time)
   local size, k, m, area = b.size, 2 * i, 2 * j, b.area[j]
   local dx = place(b, m, time) + size[m] * 0.5 - place(b, k, time) - size[k] * 0.5
   local dy = place(b, m + 1, time) + size[m + 1] * 0.5 - place(b, k + 1, time) - size[k + 1] * 0.5
-  local distance, radius = sqrt(dx * dx + dy * dy), min(size[m], size[m + 1]) * 0.5
-  if distance > 0 then
-    local pull = share * area.attract * strength(area.law, distance / radius) / distance
-    b.zonePull[k], b.zonePull[k + 1] = b.zonePull[k] + dx * pull, b.zonePull[k + 1] + dy * pull
-  end
+  local distance, radius = max(sqrt(dx * dx + dy * dy), TINY), min(size[m], size[m + 1]) * 0.5
+  local pull = share * area.attract * strength(area.law, distance / radius) / distance
+  b.zonePull[k], b.zonePull[k + 1] = b.zonePull[k] + dx * pull, b.zonePull[k + 1] + dy * pull
 end
 
 -- The gravity of a zone, g, in place of that of body k, for `share` of it as far as no zone on top
@@ -155,11 +152,11 @@ end
 local function turnAll(b, list, first, last, time)
   local slots = b.zoneList
   reset(b, list, first, last)
-  for n = #slots, b.hasTurns and 1 or #slots + 1, -1 do
+  for n = #slots, 1, -1 do
     local area = b.area[slots[n]]
     act(b, list, first, (area.gravity or area.gravityX) and last or 0, slots[n], time, turn)
   end
-  for n = first, b.hasTurns and last or 0 do
+  for n = first, last do
     local i = list[n]
     if b.kind[i] == DYNAMIC then
       path.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
@@ -179,9 +176,7 @@ end
 --- Begins a step: finds the zones, and where "down" is of those in list[1..count].
 function zones.begin(b, list, count)
   arrange(b)
-  if b.hasTurns then
-    turnAll(b, list, 1, count, 0)
-  end
+  turnAll(b, list, 1, count, 0)
 end
 
 --- Finds where "down" is of everything in a world that was restored.

@@ -7,9 +7,6 @@
 -- until they are equally fast and go on as one. Bonds are listed from the supports up. Which of
 -- them hold is found by trial. `check` looks at the blocks that came out, and finds the bonds that
 -- break and those that have slipped to their end.
---
--- Reads onset, outset, ownSpeed and the paths on the rubbed axis; writes tug, base, grip, and
--- blocks.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local flow = require(root .. ".solver.flow")
@@ -171,7 +168,7 @@ end
 local function test(b, list, n, need, mayTear)
   local up, limit = list.up[n], list.limit[n]
   local impulse = need + (b.speed[up] - b.ownSpeed[up]) / b.give[up]
-  if mayTear and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 and not b.isPressed[up] then
+  if mayTear and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 and not b.isPushed[up] then
     impulse = impulse > 0 and limit or -limit
     list.state[n], list.slipped[n] = SLIP, 0.0
     pull(b, list, n, impulse)
@@ -191,10 +188,10 @@ end
 ---
 --- Returns whether something has changed.
 function bonds.check(b, contacts, list, mayTear)
-  local need, isPressed, hasChanged = b.load, b.isPressed, false
+  local need, isPushed, hasChanged = b.load, b.isPushed, false
   for c = 1, contacts.count do
     if b.pressed[contacts.pair[c]] == 1 then
-      isPressed[contacts.low[c]], isPressed[contacts.high[c]] = true, true
+      isPushed[contacts.low[c]], isPushed[contacts.high[c]] = true, true
     end
   end
   for n = 1, list.count do
@@ -208,7 +205,7 @@ function bonds.check(b, contacts, list, mayTear)
       local impulse, isNew = test(b, list, n, need[up], mayTear)
       hasChanged = hasChanged or isNew
       need[low] = need[low] + impulse
-      isPressed[low] = isPressed[low] or isPressed[up]
+      isPushed[low] = isPushed[low] or isPushed[up]
     elseif b.speed[low] ~= b.base[up] then -- it stands no more
       list.state[n], list.isGlued[n], b.grip[up], hasChanged = BOND, true, 0, true
     end

@@ -8,16 +8,17 @@
 -- on. So friction stops, turns or holds a body at the exact moment, and so do limits.
 --
 -- The kinks of a block are a list by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`. 0 ends it.
---
--- Writes the paths, ownSpeed and the kinks.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
 local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
+local path = require(root .. ".motion.path")
 
 local flow = {}
 
+local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
-local floor, max, min = math.floor, math.max, math.min
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Maximum number of stretches of time between two kinks in a step.
 local STRETCHES = 8
 
@@ -101,7 +102,7 @@ end
 function flow.drive(b, k, dt)
   local tug = b.tug[k] * b.give[k] / dt
   if b.flowDrag[floor(k * 0.5)] ~= 0 then
-    return b.flowPull[k] + b.push[k] + tug
+    return path.pullOf(b, k) + tug
   end
   return (b.freeSpeed[k] - b.start[k] + b.reserve[k]) / dt + tug
 end
@@ -111,7 +112,7 @@ end
 function flow.body(b, k, v, tau, dt)
   local give, grip, kinks = b.give[k], b.grip[k], b.kinkCount
   if b.flowAir[floor(k * 0.5)] ~= 0 and b.least[k] == -HUGE and b.most[k] == HUGE then
-    local a = b.flowPull[k] + b.push[k] + b.tug[k] * give / dt
+    local a = path.pullOf(b, k) + b.tug[k] * give / dt
     return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
   end
   local list = grip > 0 and flow.newKink(b, b.base[k], grip * give) or 0
@@ -125,18 +126,70 @@ function flow.notePulled(b, k)
   b.pulled[b.pulledCount] = k
 end
 
+-- Computes the speed limits of all awake bodies, with the velocity of their carriers.
+local function findLimits(b)
+  local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
+  local softSpeed = b.softSpeed
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      local most = reserve[k] > 0 and pace[k] or b.fastest[k]
+      local least = reserve[k] < 0 and pace[k] or b.slowest[k]
+      local base = carried[k] + softSpeed[k]
+      b.least[k], b.most[k] = least + base, most + base
+    end
+  end
+end
+
+-- Lets drag rub on bodies as ground does that moves with their carrier: against their motion, or,
+-- if they do not move, against what pulls or pushes them.
+local function addDrag(b)
+  for n = 1, b.awakeCount do
+    local i = b.awakeList[n]
+    local k, brake = 2 * i, b.flowDrag[i]
+    if brake ~= 0 and b.kind[i] == DYNAMIC then
+      local x, y = b.velocity[k], b.velocity[k + 1]
+      if x == 0 and y == 0 then
+        x = b.down[k] ~= 0 and b.support[i] ~= 0 and 0 or path.pullOf(b, k)
+        y = b.down[k + 1] ~= 0 and b.support[i] ~= 0 and 0 or path.pullOf(b, k + 1)
+      end
+      local size, most = sqrt(x * x + y * y), brake * b.mass[i]
+      b.grip[k] = size > 0 and max(x, -x) / size * most or most
+      b.grip[k + 1] = size > 0 and max(y, -y) / size * most or most
+      b.base[k], b.base[k + 1] = b.carried[k], b.carried[k + 1]
+    end
+  end
+end
+
+--- Prepares all awake bodies for the step: nothing rubs yet but drag.
+function flow.begin(b)
+  local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
+  local grip, base, bondUnder, bondOn = b.grip, b.base, b.bondUnder, b.bondOn
+  b.kinkCount = 0
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      onset[k], tug[k], grip[k], base[k], bondUnder[k], bondOn[k] = start[k], 0, 0, 0, 0, 0
+    end
+  end
+  if b.hasHinders then
+    addDrag(b)
+  end
+  if b.hasLimits then
+    findLimits(b)
+  end
+end
+
 --- Puts all movable bodies on an axis to where they would be without contacts.
 function flow.reset(b, axis, dt)
   local list, from, to, speed, free = b.awakeList, b.from, b.to, b.speed, b.freeSpeed
   local way, carried, accel, start = b.way, b.carried, b.accel, b.start
-  local onset, outset, ownSpeed, isPressed = b.onset, b.outset, b.ownSpeed, b.isPressed
+  local onset, outset, ownSpeed, isPushed = b.onset, b.outset, b.ownSpeed, b.isPushed
   for n = 1, b.awakeCount do
     local k = 2 * list[n] + axis
     if b.give[k] > 0 then
       to[k], speed[k] = from[k] + way[k] + carried[k] * dt, free[k]
       accel[k] = (free[k] - start[k]) / dt
     end
-    outset[k], ownSpeed[k], isPressed[k] = onset[k], free[k], false
+    outset[k], ownSpeed[k], isPushed[k] = onset[k], free[k], false
   end
 end
 

@@ -12,20 +12,18 @@
 --
 -- The coefficient of a pair is `friction.coefficient`. Friction of two that meet inside the step
 -- is `rub` in impact.lua.
---
--- Reads contacts, freeSpeed, start; writes base, grip, onset, bonds, and the paths on the rubbed
--- axis.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
+local path = require(root .. ".motion.path")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
-local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
 -- stick.
@@ -108,7 +106,7 @@ local function addLoad(b, list, c, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
   if air ~= 0 then -- air friction that would slow its fall bears no load
-    free = start + (b.flowPull[up] + b.push[up] - air * (speed - b.carried[up])) * dt
+    free = start + (path.pullOf(b, up) - air * (speed - b.carried[up])) * dt
   end
   local impulse, pull = (free - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
   local load = b.load[up] + impulse
@@ -164,58 +162,6 @@ local function walk(b, list, held, dt, rubs)
         addLoad(b, list, c, up, low, sign, dt)
       end
     end
-  end
-end
-
--- Computes the speed limits of all awake bodies, with the velocity of their carriers.
-local function findLimits(b)
-  local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
-  local softSpeed = b.softSpeed
-  for n = 1, b.awakeCount do
-    for k = 2 * list[n], 2 * list[n] + 1 do
-      local most = reserve[k] > 0 and pace[k] or b.fastest[k]
-      local least = reserve[k] < 0 and pace[k] or b.slowest[k]
-      local base = carried[k] + softSpeed[k]
-      b.least[k], b.most[k] = least + base, most + base
-    end
-  end
-end
-
--- Lets drag rub on bodies as ground does that moves with their carrier: against their motion, or,
--- if they do not move, against what pulls or pushes them.
-local function addDrag(b)
-  for n = 1, b.awakeCount do
-    local i = b.awakeList[n]
-    local k, drag = 2 * i, b.flowDrag[i]
-    if drag ~= 0 and b.kind[i] == DYNAMIC then
-      local x, y = b.velocity[k], b.velocity[k + 1]
-      if x == 0 and y == 0 then
-        x = b.down[k] ~= 0 and b.support[i] ~= 0 and 0 or b.flowPull[k] + b.push[k]
-        y = b.down[k + 1] ~= 0 and b.support[i] ~= 0 and 0 or b.flowPull[k + 1] + b.push[k + 1]
-      end
-      local size, most = sqrt(x * x + y * y), drag * b.mass[i]
-      b.grip[k] = size > 0 and max(x, -x) / size * most or most
-      b.grip[k + 1] = size > 0 and max(y, -y) / size * most or most
-      b.base[k], b.base[k + 1] = b.carried[k], b.carried[k + 1]
-    end
-  end
-end
-
---- Prepares all awake bodies for the step: nothing rubs yet but drag.
-function friction.begin(b)
-  local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
-  local grip, base, bondUnder, bondOn = b.grip, b.base, b.bondUnder, b.bondOn
-  b.kinkCount = 0
-  for n = 1, b.awakeCount do
-    for k = 2 * list[n], 2 * list[n] + 1 do
-      onset[k], tug[k], grip[k], base[k], bondUnder[k], bondOn[k] = start[k], 0, 0, 0, 0, 0
-    end
-  end
-  if b.hasHinders then
-    addDrag(b)
-  end
-  if b.hasLimits then
-    findLimits(b)
   end
 end
 

@@ -7,9 +7,6 @@
 --
 -- The impact also has friction along the other axis (`rub`). Friction of contacts that exist when
 -- the step begins is computed in friction.lua.
---
--- Reads the paths, give, restitution, bonds, base, grip, rough; writes the paths, hit, hitSpeed,
--- hitAt, hitLow, hitHigh, impactsOf, base, grip, rough, and what holds the bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")

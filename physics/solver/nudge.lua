@@ -4,8 +4,6 @@
 --
 -- A body with the field `nudge` is moved sideways by at most that many px, if the place there is
 -- free. A hit on the side towards gravity is not corrected.
---
--- Reads contacts, pressed; writes from, to, time, nudged, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

@@ -12,9 +12,6 @@
 --   in its way. It stays where it is.
 -- - What has come into another along one axis (`wedged`), or has grown into it, is left to the
 --   contacts: it leaves along that axis. So is a body that overlaps many (see crowd, relax).
---
--- Reads from, size, mass, power, moved, inside, wasAt, wasSize; writes from, to, wedged, buried,
--- and crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")

@@ -12,9 +12,6 @@
 -- and is not moved by it. A body that is not pushable is infinitely strong: a block with one moves
 -- as that body does. If two such blocks meet, the one that comes from behind follows; if they meet
 -- head-on, both stop.
---
--- Reads contacts, give, power, onset, and to, speed, accel; writes to, speed, accel, pressed,
--- outset, isPressed, and what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -309,7 +306,7 @@ local function look(b, list, c, dt, isLate)
   local off = offLow + list.separation[c] - offHigh
   if low == high then
     if off >= -EPSILON then -- how they press each other is not known
-      b.isPressed[kl], b.isPressed[kh] = true, true
+      b.isPushed[kl], b.isPushed[kh] = true, true
       b.isUnsettled = b.isUnsettled or off > EPSILON
     end
     return false

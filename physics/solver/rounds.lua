@@ -5,9 +5,6 @@
 -- what an earlier one has disturbed is swept again in the next round. A path that leaves its fat
 -- box in the middle of the step is looked up anew; pairs that it makes are swept in the next round,
 -- and if it comes near a sleeping body the step begins anew.
---
--- Reads the paths; writes the paths, hit, contacts, pressed, nudged, dirty, swept, changed and
--- inRound.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
@@ -26,8 +23,8 @@ local rounds = {}
 local DYNAMIC, WIDTHS = columns.DYNAMIC, columns.WIDTHS
 local floor, max, min = math.floor, math.max, math.min
 
--- Share of its size by which separating overlaps may move a body in a step, along each axis.
-local PARTING = 0.25
+-- Share of the smaller size from which on two that would end inside each other are torn.
+local TORN = 0.25
 -- Maximum number of impacts in a step of a body that overlaps others and has no room.
 local SPENT = 2
 -- Maximum number of paths in `b.hulls`, with which later impacts of a round are compared.
@@ -129,7 +126,7 @@ end
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
   return b.touches[p] == contacts.CONTACT
-    and b.to[kl] + b.separation[p] - b.to[kh] > PARTING * min(b.size[kl], b.size[kh])
+    and b.to[kl] + b.separation[p] - b.to[kh] > TORN * min(b.size[kl], b.size[kh])
 end
 
 -- Returns whether an earlier impact of this round may have invalidated the impact of slot i: it

@@ -2,8 +2,7 @@
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
 -- one-way objects, `dropThrough`, and what the game says (`canCollide`).
 --
--- The side in the field `oneWay` is solid, the others are open. Reads contact, oneWay, canCollide;
--- writes passing, dropping, asked, heard.
+-- The side in the field `oneWay` is solid, the others are open.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local pairFinder = require(root .. ".broadphase.pairFinder")

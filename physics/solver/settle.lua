@@ -14,9 +14,6 @@
 --
 -- heldLow and heldHigh of a body are 0 if it can give way to that side. Otherwise they are 1 plus
 -- the number of contacts between it and the immovable body that holds it there.
---
--- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, holderLow, holderHigh,
--- pressed, and squeezed (px; below 0: towards low coordinates).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

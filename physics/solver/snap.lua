@@ -6,9 +6,6 @@
 -- below, and what stands on it, too. It is lowered straight down, where it ends, onto the first
 -- thing there is; so it passes through nothing. If it has run over several edges in the step, each
 -- of them may be as high as `snap`. Heights are those of ground.
---
--- Reads support, velocity, to, speed, heldLow, heldHigh; writes to, speed, accel, lowered,
--- pressedLow or pressedHigh, and heldLow or heldHigh of what was lowered.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
@@ -53,10 +50,8 @@ end
 -- How low the ground may be for slot i at x1, if it has come along the ground from (x, height):
 -- from edge to edge it drops by at most `most` px.
 local function reach(b, i, axis, turn, x, x1, height, most)
-  local pieces, _, last = b.pieceCount, x, height
-  if x ~= x1 then
-    _, last = walk.follow(b, i, axis, turn, x, x1, height, false, true, most)
-  end
+  local pieces = b.pieceCount
+  local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, true, most)
   b.pieceCount = pieces
   return last + most
 end

@@ -111,7 +111,7 @@ local function nudgeTouching(b, dt)
       return
     end
     pairFinder.run(b, b.awakeList, b.awakeCount)
-    friction.begin(b)
+    flow.begin(b)
     flow.reset(b, 0, dt)
     flow.reset(b, 1, dt)
     settleTouching(b, dt)
@@ -139,7 +139,7 @@ end
 local function prepare(b, dt)
   b.solveStamp, b.isJammed = b.solveStamp + 1, false
   begin(b, dt)
-  friction.begin(b)
+  flow.begin(b)
   pairFinder.listLive(b)
   if b.walks then
     walk.begin(b)

@@ -9,8 +9,6 @@
 -- corner of the box is across gravity. So friction, stacks, belts and one-ways need no rule of
 -- their own. `walk` moves what stands on slopes along them, an impact is turned along them by
 -- `deflect`.
---
--- Reads the paths, shape; writes to, speed, deflectedAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
@@ -252,10 +250,8 @@ function touch.deflect(b, i, j, axis, lean, r, isLate, o, v, a, u, tau)
   local k, t, shape = 2 * box + axis, 2 * box + 1 - axis, b.shape[its]
   local share = -SOLID[axis][shape] / (1 + lean * lean)
   b.deflectedAt[box] = b.solveStamp
-  if b.give[k] > 0 then
-    path.add(b, k, way * share, change * share)
-    path.add(b, t, -way * share * lean, -change * share * lean)
-  end
+  path.add(b, k, way * share, change * share)
+  path.add(b, t, -way * share * lean, -change * share * lean)
   return true
 end
 
