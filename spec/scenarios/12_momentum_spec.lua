@@ -195,10 +195,6 @@ describe("restitution, friction and mass: energy does not come out of nowhere", 
     end
   )
 
-  pending(
-    "and no two overlap for more than 10 steps there: up to 16, one pair in a hundred rooms more"
-  )
-
   it("in a room of 40 boxes of very different mass, at up to 3000 px/s", function()
     local levels = { push = variants.PUSHES, rate = { 30, 60, 144 }, order = { "forward" } }
     levels.shift = { 0, 0.1 }
