@@ -131,7 +131,7 @@ done
 
 for number in 1 2 3 4 5 6 7; do
   check "platformer$number is drawn" step "platformer$number" 800:330:0:110
-  check "topdown$number is drawn" step "topdown$number" 640:480:80:60
+  check "topdown$number is drawn" step "topdown$number" 560:420:120:60
 done
 
 echo "The pictures are in $target/"
