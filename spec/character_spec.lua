@@ -103,17 +103,17 @@ describe("strength", function()
     scene.maker("walls", { static = true })("wall", 50, 0, 10, 10),
   }, { { 1, keep = "player.vx = 300" }, "player.x ~ 30" })
 
-  -- `count` enemies press to a player for some seconds, then it walks out for 2 s. Returns how far
-  -- it was pushed about, and how far it got.
+  -- `count` enemies of 20 px press to a player of 28 px for some seconds, then it walks out for 2 s.
+  -- Returns how far it was pushed about, and how far it got.
   local function walkOut(fields, count, seconds, soft)
     local world = physics.newWorld({ gravity = 0, soft = soft })
-    local player = world:add("players", { x = 390, y = 290, width = 20, height = 20 })
+    local player = world:add("players", { x = 390, y = 290, width = 28, height = 28 })
     for name, value in pairs(fields) do
       player[name] = value
     end
     for n = 1, count do
       local y = n * (n % 2 == 1 and 61 or 41) % 580
-      world:add("enemies", { x = n * 97 % 780, y = y, width = 16, height = 16 })
+      world:add("enemies", { x = n * 97 % 780, y = y, width = 20, height = 20 })
     end
     local function step(vx)
       for _, enemy in ipairs(world.objects.enemies) do
