@@ -103,7 +103,7 @@ describe("strength", function()
     scene.maker("walls", { static = true })("wall", 50, 0, 10, 10),
   }, { { 1, keep = "player.vx = 300" }, "player.x ~ 30" })
 
-  -- `count` enemies of 20 px press to a player of 28 px for some seconds, then it walks out for 2 s.
+  -- `count` enemies of 20 px press to a player of 28 px for a while; then it walks out for 2 s.
   -- Returns how far it was pushed about, and how far it got.
   local function walkOut(fields, count, seconds, soft)
     local world = physics.newWorld({ gravity = 0, soft = soft })
