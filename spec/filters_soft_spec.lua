@@ -342,6 +342,42 @@ describe("soft: a crowd", function()
     end)
   end
 
+  it("of boxes and circles is never in a player with strength that walks through it", function()
+    for seed = 2, 3 do
+      local random, world = newRandom(seed), newWorld({ enemies = { enemies = 300 } })
+      local player = world:add("players", box(0, 0, { strength = 1, mass = 10 }))
+      for n = 1, 60 do
+        local angle, far, size =
+          random:between(0, 6.28), random:between(40, 140), random:between(14, 20)
+        world:add("enemies", {
+          x = far * math.cos(angle) + 10 - size / 2,
+          y = far * math.sin(angle) + 10 - size / 2,
+          width = size,
+          height = size,
+          radius = n % 3 == 0 and size / 2 or nil,
+        })
+      end
+      for frame = 1, 400 do
+        local way = math.floor(frame / 45) % 4
+        player.vx, player.vy = ({ 80, 0, -80, 0 })[way + 1], ({ 0, 80, 0, -80 })[way + 1]
+        for _, enemy in ipairs(world.objects.enemies) do
+          local half = enemy.width / 2
+          local dx, dy = player.x + 10 - enemy.x - half, player.y + 10 - enemy.y - half
+          local far = math.max(1, math.sqrt(dx * dx + dy * dy))
+          enemy.vx, enemy.vy = 75 * dx / far, 75 * dy / far
+        end
+        world:update(DT)
+        for _, enemy in ipairs(world.objects.enemies) do
+          local half = enemy.width / 2
+          local x = math.max(math.abs(player.x + 10 - enemy.x - half) - 10, 0)
+          local y = math.max(math.abs(player.y + 10 - enemy.y - half) - 10, 0)
+          local gap = enemy.radius and math.sqrt(x * x + y * y) or math.max(x, y)
+          assert.is_true(gap - half > -0.02)
+        end
+      end
+    end
+  end)
+
   it("counts in the hash", function()
     local world = pair()
     local before = world:hash()

@@ -107,9 +107,8 @@ end
 local function extent(work, axis)
   local at, half, low, high, sum, largest = work.at[axis], work.half[axis], huge, -huge, 0.0, 0.0
   for n = 1, work.count do
-    local size = 2 * half[n]
     low, high = min(low, at[n] - half[n]), max(high, at[n] - half[n])
-    sum, largest = sum + (size + ROUNDING - ROUNDING), max(largest, size)
+    sum, largest = sum + (2 * half[n] + ROUNDING - ROUNDING), max(largest, 2 * half[n])
   end
   return low, high, sum, largest
 end
@@ -291,8 +290,7 @@ end
 local function find(b, work, dt)
   local way, own = work.fastest * dt, 0.0
   local size, count, each = findNear(b, work, NEAR * way)
-  local stiffness = way / size * each
-  local parts = min(ceil(sqrt(stiffness + 0.25) - 0.5), MOST_PARTS)
+  local parts = min(ceil(sqrt(way / size * each + 0.25) - 0.5), MOST_PARTS)
   for n = 1, parts do
     local keep, part = (n - 1) / n, (4 * n - 2) / (n * (parts * parts + parts))
     own = own * keep + part
