@@ -10,7 +10,7 @@ local BUDGET = {
   { "physics/contacts", 402 },
   { "physics/fields", 728 },
   { "physics/maps", 2320 },
-  { "physics/memory", 850 },
+  { "physics/memory", 840 },
   { "physics/motion", 981 },
   { "physics/objects", 1201 },
   { "physics/queries", 824 },

@@ -90,22 +90,6 @@ local function functionsOf(module)
   return list
 end
 
---- Returns the functions of a module with these names, separated by spaces, and the name of one
---- that is not there.
-function compiler.find(module, names)
-  local all, list, missing = functionsOf(module), {}, nil
-  for wanted in names:gmatch("%S+") do
-    local count = #list
-    for n = 1, #all do
-      if wanted == all[n].name or wanted == "*" then
-        list[#list + 1] = all[n].f
-      end
-    end
-    missing = missing or (#list == count and wanted)
-  end
-  return list, missing
-end
-
 local function export(_, f)
   exported[f] = true
 end
@@ -130,9 +114,12 @@ function compiler.apply(root)
   local list = listNew(root)
   for n = 1, #compiler.rows do
     for name, names in next, compiler.rows[n], nil do
-      local functions = list[name] and compiler.find(list[name], names) or {}
+      local functions = list[name] and functionsOf(list[name]) or {}
       for m = 1, #functions do
-        jit.off(functions[m], true)
+        local isNamed = (" " .. names .. " "):find(" " .. functions[m].name .. " ", 1, true)
+        if isNamed or names == "*" then
+          jit.off(functions[m].f, true)
+        end
       end
     end
   end
