@@ -153,6 +153,31 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
     end)
   end)
 
+  it("not told from none in a state that has no list of it #files", function()
+    with(LIFT, function(physics)
+      local world = physics.newWorld()
+      local balloon = world:add("balloons", newBalloon(nil))
+      world:update(1 / 10)
+      local state = world:save()
+      balloon.lift = 300
+      state.fields.lift = nil
+      world:restore(state)
+      assert.is_nil(balloon.lift)
+    end)
+  end)
+
+  it("refused if something else has the name of its column #files", function()
+    local row = LIFT["physics/fields/fields.lua"]
+    for _, name in ipairs({ "weight", "room", "soft" }) do -- a column, a list, a flag
+      local taken = { row[1], (row[2]:gsub("lift", name, 1)) }
+      with({ ["physics/fields/fields.lua"] = taken }, function(physics)
+        local world, text = physics.newWorld(), "two columns have one name: " .. name
+        world:add("balloons", newBalloon(nil))
+        refuses(text, world.update, world, 1 / 60)
+      end)
+    end
+  end)
+
   it("in the manual, in the types, and known to `checked` #files", function()
     with(LIFT, function(physics)
       local all = {}
@@ -164,9 +189,10 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
       local types = require("scripts.types").text()
       assert.is_truthy(types:find("---@field lift? number", 1, true))
       local world = physics.newWorld({ checked = true })
-      local balloon = newBalloon(nil)
+      local balloon = world:add("balloons", newBalloon(3)) -- so there is something like gravity:
+      world:add("belts", { x = 0, y = -9, width = 9, height = 9, static = true, surfaceSpeed = 9 })
+      world:update(1 / 60)
       balloon.Lift = 3
-      world:add("balloons", balloon)
       refuses("lift", world.update, world, 1 / 60)
     end)
   end)

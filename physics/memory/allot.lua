@@ -40,25 +40,28 @@ local function blank(b, rows, first, last)
   end
 end
 
+-- Makes columns or lists. Errors: something else has such a name.
+local function add(b, names)
+  for n = 1, #names do
+    assert(b[names[n]] == nil, "physics: two columns have one name: " .. names[n])
+    b[names[n]] = {}
+  end
+end
+
 --- Returns the memory of a world in which there is nothing.
 function allot.new()
   local b = {}
   initial(b)
-  for n = 1, #layout.FIRST do
-    b[layout.FIRST[n]] = {}
-  end
+  add(b, layout.FIRST)
   return b
 end
 
 -- Makes the columns, when the first object comes.
 local function make(b)
-  for n = 1, #layout.OTHERS do
-    b[layout.OTHERS[n]] = {}
-  end
+  b.fatLow, b.fatHigh = nil, nil -- they become columns
+  add(b, layout.OTHERS)
   for _, rows in ipairs({ EVERY, BODY, PAIR }) do
-    for n = 1, #rows.names do
-      b[rows.names[n]] = {}
-    end
+    add(b, rows.names)
     blank(b, rows, 0, 0)
   end
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.

@@ -110,7 +110,7 @@ end
 
 -- Writes a field of all objects. Those that had left the world get the fields that they had.
 local function writeField(st, objects, row)
-  local name, list, at = row.name, st.fields[row.name], 1
+  local name, list, at = row.name, st.fields[row.name] or NONE, 1
   local isDense = format.isDense(row)
   for n = 1, st.count + (row.type == "own" and 0 or st.gone) do
     local object, value = objects[n], nil
