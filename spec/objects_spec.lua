@@ -20,9 +20,6 @@ local function row(title, entries, given, rows)
   play.row(title, ONCE, entries, given, rows, {
     newBox = newBox,
     DT = DT,
-    down = { boxes = { tiles = false } },
-    up = { tiles = { boxes = false } },
-    both = { tiles = true },
   })
 end
 

@@ -180,16 +180,24 @@ describe("world:move", function()
     assert.are.equal(120, select(2, world:move(me, 20, 120)))
   end)
 
-  it("hits the first one in the order of the world where two are met alike", function()
-    for _, ys in ipairs({ { 0, 10 }, { 10, 0 } }) do
+  -- Where two are met at once: by the wider common edge, then in the order of the world.
+  for _, row in ipairs({
+    -- y and height of the first and of the second; which is hit
+    { 0, 10, 10, 10, "first" },
+    { 10, 10, 0, 10, "first" },
+    { 0, 4, 4, 20, "second" },
+    { 12, 20, 0, 12, "second" },
+  }) do
+    local title = "move meets the %s of two, from %g, %g px high, and from %g, %g px"
+    it(title:format(row[5], row[1], row[2], row[3], row[4]), function()
       local world = still()
       local me = world:add("a", box(0, 0, 10, 20))
-      world:add("walls", box(30, ys[1], 10, 10, { name = "first", static = true }))
-      world:add("walls", box(30, ys[2], 10, 10, { name = "second", static = true }))
+      world:add("walls", box(30, row[1], 10, row[2], { name = "first", static = true }))
+      world:add("walls", box(30, row[3], 10, row[4], { name = "second", static = true }))
       local _, _, hits, count = world:move(me, 80, 0, "touch")
-      assert.are.equal("first right touch", told(hits, count))
-    end
-  end)
+      assert.are.equal(row[5] .. " right touch", told(hits, count))
+    end)
+  end
 
   it("asks a function for the response", function()
     local world, me = newScene()
