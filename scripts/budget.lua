@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1201 },
   { "physics/queries", 824 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4019 },
+  { "physics/solver", 3983 },
   { "physics/space", 393 },
   { "physics/state", 913 },
   { "physics/world", 1490 },

@@ -23,7 +23,6 @@ local ROUNDING = 1e-9
 -- - SLIP: the two slip, and friction pulls with its limit.
 -- - STAND: the lower one stands; for the other it is ground.
 local BOND, SLIP, STAND = 1, 2, 3
-bonds.BOND = BOND
 
 --- Returns an empty list of bonds.
 function bonds.new()

@@ -10,7 +10,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
-local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -21,9 +20,7 @@ local touch = require(root .. ".solver.touch")
 local impact = {}
 
 local HUGE = math.huge
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Maximum number of bonds in a row along which an impact drags other bodies in the same step.
-local DEPTH = 8
+local max, min, sqrt = math.max, math.min, math.sqrt
 
 --- Notes the first impact of a pair in the step: on which side, at u px/s, and where, at moment t.
 function impact.note(b, p, low, axis, u, t)
@@ -121,40 +118,6 @@ local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   if tau > 0 then
     local change = (new - after - (last - v)) / tau / total
     b.accel[kl], b.accel[kh] = b.accel[kl] + change * il, b.accel[kh] - change * ih
-  end
-end
-
-local drag
-
--- Lets the bodies of bond n rub for the last tau s if an impact has given one of them another
--- speed. Friction has held them together until then.
-local function dragBond(b, list, n, other, tau, dt, depth)
-  local up, low, press = list.up[n], list.low[n], list.limit[n] * tau / dt
-  if depth == 0 or list.state[n] ~= bonds.BOND or b.speed[up] == b.speed[low] then
-    return
-  elseif other == low and b.speed[low] == b.base[low] and b.grip[low] * tau >= press then
-    b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower body
-    reflow(b, up, tau, dt)
-  else
-    rubBoth(b, up, low, 1, 0.0, press, tau)
-    drag(b, other, n, tau, dt, depth - 1)
-  end
-  path.change(b, floor(other * 0.5)) -- it may meet something on its new way
-end
-
--- Does the same for all bonds of body k except `from`, and for those of the bodies there, `depth`
--- times.
-function drag(b, k, from, tau, dt, depth)
-  local list, n = b.bonds[k % 2], b.bondUnder[k]
-  if n ~= 0 and n ~= from then
-    dragBond(b, list, n, list.low[n], tau, dt, depth)
-  end
-  n = b.bondOn[k]
-  while n ~= 0 do
-    if n ~= from then
-      dragBond(b, list, n, list.up[n], tau, dt, depth)
-    end
-    n = list.next[n]
   end
 end
 
@@ -270,12 +233,6 @@ local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt
   reflow(b, kl, tau, dt)
   reflow(b, kh, tau, dt)
   if b.hasFriction and v > 0 then
-    if tau > 0 and wl > 0 then
-      drag(b, kl, 0, tau, dt, DEPTH)
-    end
-    if tau > 0 and wh > 0 then
-      drag(b, kh, 0, tau, dt, DEPTH)
-    end
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
     rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   end
