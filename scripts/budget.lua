@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 654 },
   { "physics/contacts", 402 },
   { "physics/fields", 728 },
-  { "physics/maps", 2318 },
+  { "physics/maps", 2311 },
   { "physics/memory", 841 },
   { "physics/motion", 981 },
   { "physics/objects", 1201 },

@@ -197,6 +197,9 @@ of other shapes | things | capsule 0 0 8 8; text 0 0 8 8
 are circles, no ellipses | things | ellipse 0 0 8 8; ellipse 0 0 16 8
   things 0 0 8 8 radius=4 sensor static; ! things: ellipse: only circles are round
   the option ellipses = "box" makes it a box
+are circles by their radius, if it fits | things | 0 0 8 8 static:true radius:4; 0 0 8 8 radius:5
+  things 0 0 8 8 radius=4 static; things 0 0 8 8
+  ! things: radius must be half of width and height, which are 8 and 8: it is left out
 are the boxes of ellipses | things | ellipse 0 0 16 8 | ellipses = "box"
   things 0 0 16 8 sensor static
 are the circles in ellipses | things | ellipse 10 0 16 8 | ellipses = "circle"
