@@ -4,6 +4,7 @@
 
 local files = require("spec.support.files")
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local compile = require("spec.support.snippets").compile
 
@@ -19,11 +20,7 @@ end
 
 --- A complete object with some fields changed.
 local function object(changes)
-  local result = { x = 1, y = 2, width = 3, height = 4 }
-  for name, value in pairs(changes or {}) do
-    result[name] = value
-  end
-  return result
+  return small.put(1, 2, 3, 4, changes)
 end
 
 -- The line ----------------------------------------------------------------------------------------

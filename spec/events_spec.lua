@@ -321,17 +321,13 @@ describe("onBegin", function()
         world:remove(boxes[6])
       end
     end
-    for _ = 1, 10 do
-      world:update(DT)
-    end
+    small.run(world, 10)
     assert.same({ 6, 1 }, { told, world.stats.objects })
     local last = world:add("boxes", newBox(0, 80))
     function last.onBegin(_, other)
       world:remove(other)
     end
-    for _ = 1, 60 do
-      world:update(DT)
-    end
+    small.run(world, 60)
     assert.is_true(last.y > 200)
   end)
 
@@ -390,9 +386,7 @@ describe("onBegin: the place of a contact", function()
       end
       world:add("men", objects[1])
       world:add("tiles", objects[2])
-      for _ = 1, 60 do
-        world:update(DT)
-      end
+      small.run(world, 60)
       assert.equal(given[4], told[1][3])
       for n = 1, 3 do
         for k = 5, 8 do

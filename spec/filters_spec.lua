@@ -1,9 +1,9 @@
 --- What meets what: the field `hits`, sensors and `canCollide`. (Masks are in objects_spec and
 --- fields_at_run_time_spec, soft groups in filters_soft_spec, one-ways in scenarios/07.)
 
-local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
 local DT = 1 / 60
 
@@ -15,11 +15,7 @@ local function row(title, entries, given, rows)
   play.row(title, play.ONCE, entries, given, rows)
 end
 
-local function newWorld(settings)
-  settings = settings or {}
-  settings.gravity = settings.gravity or 0
-  return physics.newWorld(settings)
-end
+local newWorld = small.still
 
 -- A bullet that flies right through a row of one object of each group.
 local function shoot(fields, settings)
@@ -36,9 +32,7 @@ local function shoot(fields, settings)
     end
   end
   local bullet = world:add("bullets", fields)
-  for _ = 1, 60 do
-    world:update(DT)
-  end
+  small.run(world, 60)
   return met, bullet, world
 end
 

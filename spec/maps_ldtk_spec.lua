@@ -2,6 +2,7 @@
 
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
+local small = require("spec.support.small")
 local tiled = require("spec.support.tiled")
 
 local VALUES = { "dirt", "ladder", "stone" }
@@ -77,9 +78,7 @@ describe("world:loadLDtk", function()
     assert.equal(project.levels[1].layerInstances[2], cell.layer)
     assert.equal("entity-Player", player.ldtk.entity.iid)
     player.items[1] = "Sword"
-    for _ = 1, 60 do
-      world:update(1 / 60)
-    end
+    small.run(world, 60)
     assert.same({ 8, before }, { player.y, project })
     assert.equal(player.touching.bottom, world.objects.Collisions[1])
   end)

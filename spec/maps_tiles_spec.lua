@@ -4,6 +4,7 @@ local effort = require("spec.support.effort")
 local garbage = require("spec.support.garbage")
 local physics = require("physics")
 local random = require("spec.support.random")
+local small = require("spec.support.small")
 
 local DT = 1 / 60
 
@@ -26,11 +27,7 @@ local function add(rows, options, columns, size)
   return world:addTiles("tiles", rows, columns, size or 10, options), world
 end
 
-local function run(world, steps)
-  for _ = 1, steps do
-    world:update(DT)
-  end
-end
+local run = small.run
 
 describe("world:addTiles", function()
   -- The same level in all forms; other sizes and places; what is solid; what merges.

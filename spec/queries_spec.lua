@@ -1,6 +1,7 @@
 --- Questions: queryPoint, queryRect, querySegment, overlapping, nearest, touching, velocity, fits,
 --- and their filters. (Rays, circles, moves and worlds of many objects have files of their own.)
 
+local garbage = require("spec.support.garbage")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
@@ -96,6 +97,22 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
       world:add("b", sized(10, 3 * i, 5, 30, { name = tostring(i) }))
     end
     assert.are.equal("1 2 3 4 5", names(world:querySegment(0, 20, 50, 20)))
+  end)
+
+  it("leave no garbage, nor do the others", function()
+    local world, out = four(), {}
+    local object = world.objects.a[2]
+    local function ask()
+      world:queryRect(-10, -10, 100, 100, "a", out)
+      world:queryPoint(5, 5, nil, out)
+      world:querySegment(-10, 15, 100, 15, nil, out)
+      world:raycast(-10, 15, 100, 15)
+      world:nearest(50, 15, 100)
+      world:sweep(object, 100, 5)
+      world:overlapping(object, nil, out)
+      world:touching(object, world.objects.a[1])
+    end
+    assert.is_true(garbage.bytes(ask, 200, 100) <= 100)
   end)
 
   it("overlapping finds nothing for what is not active", function()

@@ -8,15 +8,13 @@ local small = require("spec.support.small")
 
 local box, newBox, newFloor, still = small.put, small.box, small.floor, small.still
 
-local DT = 1 / 60
-
 local function crate(x, y, changes)
-  local object = { name = "it", x = x, y = y, width = 20, height = 20 }
-  for name, value in pairs(changes or {}) do
-    object[name] = value
-  end
+  local object = box(x, y, 20, 20, changes)
+  object.name = "it"
   return object
 end
+
+local DT = 1 / 60
 
 describe("load: the default world", function()
   before_each(function()

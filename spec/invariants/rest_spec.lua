@@ -4,15 +4,9 @@
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
--- A box of 16 px, with other fields.
-local function box(x, y, fields)
-  local object = { x = x, y = y, width = 16, height = 16 }
-  for name, value in pairs(fields or {}) do
-    object[name] = value
-  end
-  return object
-end
+local box = small.box
 
 -- Plays with `rest` and without: `plays(world, step)`, where step(dt) updates the world. Fails
 -- unless both have the same hash, and have told the same, after each of these.

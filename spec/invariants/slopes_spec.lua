@@ -6,6 +6,7 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
 local GRADIENTS = { { 1, 1 }, { 1, 2 }, { 1, 3 }, { 2, 1 }, { 3, 1 } }
 local OFFSETS = { 0, 0.1, 1 / 3, -1000.1, 100000.3, 1234567.8, 9000000.7 }
@@ -380,9 +381,7 @@ describe("slope: hills at random", function()
     assert.truthy(
       world:explain(body, slope):find("flush at the bottom of objects.players[1]", 1, true)
     )
-    for _ = 1, 3 do
-      world:update(1 / 60)
-    end
+    small.run(world, 3)
     assert.equal("bottom", world:touching(body, slope))
   end)
 
@@ -443,9 +442,7 @@ describe("slope: met after a bounce in the same step, it", function()
       local box = { x = 90, y = -20, width = 10, height = 10, vy = -speed, restitution = 1 }
       world:add("boxes", box)
       local steps = math.floor(7800 / speed)
-      for _ = 1, steps do
-        world:update(1 / 60)
-      end
+      small.run(world, steps)
       -- 20 px up to the ceiling at -40, then down until its corner, at x = 100, is at 50. The
       -- normal is (-1, -2) / √5: (0, v) becomes (-0.8, -0.6) * v.
       local late = steps / 60 - (20 + 80) / speed

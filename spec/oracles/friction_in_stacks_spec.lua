@@ -3,14 +3,12 @@
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local small = require("spec.support.small")
 
 -- A box of 16 px with its upper left corner at x, y; the floor is at y = 0.
 local function put(x, y, friction, vx, mass, fields)
-  local object = { x = x, y = y, width = 16, height = 16, friction = friction }
-  object.vx, object.mass = vx or 0, mass or 1
-  for name, value in pairs(fields or {}) do
-    object[name] = type(name) == "string" and value or object[name]
-  end
+  local object = small.box(x, y, fields)
+  object.friction, object.vx, object.mass = friction, vx or 0, mass or 1
   return object
 end
 

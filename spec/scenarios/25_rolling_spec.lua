@@ -11,6 +11,7 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local shapes = require("physics.space.shapes")
+local small = require("spec.support.small")
 
 local long = effort.isFirst and it or pending
 local RATES, GRAVITY, R = effort.isWhole and { 30, 60, 144 } or { 30, 144 }, 800, 8
@@ -18,10 +19,8 @@ local RATES, GRAVITY, R = effort.isWhole and { 30, 60, 144 } or { 30, 144 }, 800
 local SHARE = 1e-6
 
 local function static(x, y, width, height, slope, changes)
-  local object = { x = x, y = y, width = width, height = height, slope = slope, static = true }
-  for name, value in pairs(changes or {}) do
-    object[name] = value
-  end
+  local object = small.tile(x, y, width, height, changes)
+  object.slope = slope
   return object
 end
 

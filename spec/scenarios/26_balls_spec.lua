@@ -14,10 +14,8 @@ local RATES = { 30, 60, 144, 240 }
 local LATER = 1e-6
 
 local function ball(x, y, radius, changes)
-  local object = { x = x - radius, y = y - radius, radius = radius }
-  for name, value in pairs(changes or {}) do
-    object[name] = value
-  end
+  local object = small.put(x - radius, y - radius, nil, nil, changes)
+  object.radius = radius
   return object
 end
 

@@ -3,6 +3,7 @@
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local function wall(world, x, y, width, height)
   world:add("walls", { x = x, y = y, width = width, height = height, static = true })
@@ -70,9 +71,7 @@ describe("radius: balls in a pit", function()
           object.width, object.height, object.radius = 2 * object.radius, 2 * object.radius, nil
         end
       end)
-      for _ = 1, 720 do
-        world:update(1 / 60)
-      end
+      small.run(world, 720)
       assert.are.equal(row[1], world.stats.resting)
     end
   end)
@@ -85,9 +84,7 @@ describe("radius: balls in a pit", function()
           ball.gravityX, ball.gravity = random:between(-500, 500), random:between(-500, 500)
         end
       end)
-      for _ = 1, row[3] do
-        world:update(1 / 60)
-      end
+      small.run(world, row[3])
       local other = physics.newWorld()
       other:restore(world:save())
       world:update(1 / 60)
