@@ -101,8 +101,10 @@ end
 -- `isShared`: another one is changed in place, since the game may hold it.
 local function write(owner, row, value, isShared)
   local now = owner[row.name]
-  if not forms.isSame(now, value) then
-    local into = isShared and type(now) == "table" and type(value) == "table" and now or nil
+  if type(value) ~= "table" then
+    owner[row.name] = value
+  elseif not forms.isSame(now, value) then
+    local into = isShared and type(now) == "table" and now or nil
     clear(into or NONE)
     owner[row.name] = forms.copy(value, into)
   end
