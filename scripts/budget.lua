@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 654 },
   { "physics/contacts", 402 },
   { "physics/fields", 728 },
-  { "physics/maps", 2311 },
+  { "physics/maps", 2304 },
   { "physics/memory", 841 },
   { "physics/motion", 981 },
   { "physics/objects", 1201 },
@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/sleep", 90 },
   { "physics/solver", 3983 },
   { "physics/space", 393 },
-  { "physics/state", 913 },
+  { "physics/state", 920 },
   { "physics/world", 1490 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

@@ -318,7 +318,6 @@ describe("world:loadTiled, words", function()
 
   for _, row in ipairs({
     { "drag", "true", 'drag must be a number >= 0, got "true"' },
-    { "friction", "0x10", 'friction must be a number >= 0, got "0x10"' },
     { "friction", "-1", "friction must be a number >= 0, got -1" },
     { "friction", 0 / 0, "friction must be a number >= 0, got nan" },
     { "oneWay", "up", 'oneWay must be true, false, "top", "bottom", "left" or "right", got "up"' },
