@@ -11,7 +11,7 @@ local BUDGET = {
   { "physics/fields", 728 },
   { "physics/maps", 2304 },
   { "physics/memory", 841 },
-  { "physics/motion", 981 },
+  { "physics/motion", 980 },
   { "physics/objects", 1201 },
   { "physics/queries", 824 },
   { "physics/sleep", 90 },

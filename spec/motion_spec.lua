@@ -199,4 +199,10 @@ describe("airFriction: what moves alone is the same at every rate:", function()
   check("with drag", 0, fields, "x", function(t)
     return braked(400, 1.5, 120, t)
   end, 1e-3)
+
+  -- It is as fast as it may be, 80 and -60 px/s, from the first step on.
+  local fast = { vx = 400, vy = -300, maxSpeed = 100, airFriction = 0.7 }
+  check("faster than its maxSpeed", 0, fast, "x", function(t)
+    return 80 / 0.7 * (1 - exp(-0.7 * t))
+  end)
 end)
