@@ -296,7 +296,9 @@ function kinds.marbles(random)
       restitution = random:pick({ 0, 0.2, 0.5 }),
     })
   end
-  game.carried = 12 -- what they push each other by while they are poured
+  function game.act(frame)
+    game.carried = frame > 1 and 12 or 18 -- by which they push each other; some begin in others
+  end
   function game.check(frame)
     for n, one in ipairs(game.movers) do
       for m = n + 1, frame < 60 and 0 or #game.movers do
