@@ -84,6 +84,9 @@ local function most(a, b, share, usual)
   return max(usual, (a.radius or b.radius) and share * size or 0)
 end
 
+-- px from which on a ball in a heap touches what is near it.
+local IN_HEAP = 0.05
+
 -- What rounding may add at these coordinates.
 local function slack(a, b)
   local size = max(math.abs(a.x), math.abs(a.y), math.abs(b.x), math.abs(b.y), a.width, a.height)
@@ -335,7 +338,7 @@ function Watch:judgeNeighbour(a, side, b)
     return -- it has stopped the object below a ceiling, beside which it is the ground, too
   end
   local x, y = overlaps(a, b)
-  local limit = slack(a, b)
+  local limit = (a.radius or b.radius) and IN_HEAP or slack(a, b)
   if x < -limit or y < -limit then
     return ("is %.9g px away on x, %.9g px on y"):format(-x, -y)
   end
