@@ -318,9 +318,9 @@ function default.update(dt) end
 ---
 --- Errors: the group is not a string or a number; the object is not a table; a field has a value
 --- that cannot be used; the object is already in the world. Nothing has changed then.
----@overload fun(group: string|number, box: physics.NewBox): physics.Object
+---@overload fun(group: string|number, ball: physics.NewCircle): physics.Object
 ---@param group string|number name of the group
----@param object physics.NewObject your table: x, y, width and height or radius, and other fields
+---@param object physics.NewBox your table: x, y, width and height or radius, and other fields
 ---@return physics.Object object the same table
 function default.add(group, object) end
 

@@ -137,6 +137,15 @@ describe("world.objects", function()
     assert.is_true(player.vy > 0)
   end)
 
+  -- There its width and height are less than a rounding of its place.
+  it("may be as far away as 1e18 px on both axes, and comes back", function()
+    local object = world:add("boxes", { x = 1e18, y = 1e18, width = 10, height = 10 })
+    run(world, 2)
+    object.x, object.y = 0, 0
+    run(world, 1)
+    assert.are.equal(object, world:queryRect(0, 0, 10, 10)[1])
+  end)
+
   -- Of cells that double, the largest would be 1e16 px wide: without an end to that a step, and a
   -- ray, looked through more cells than anybody has time for.
   for _, width in ipairs({ 1e16, 1e100 }) do

@@ -176,6 +176,17 @@ describe("raycast and radius: a ray", function()
 end)
 
 describe("radius: a sensor with one", function()
+  it("is met by what overlaps it already with a speed of 0.0, and not -0", function()
+    local world, heard = physics.newWorld({ gravity = 800 }), nil
+    function world.onBegin(_, _, _, speed)
+      heard = ("%.1f"):format(speed)
+    end
+    world:add("balls", { x = 0, y = 0, radius = 5 })
+    world:add("water", { x = 0, y = 3, width = 10, height = 10, static = true, sensor = true })
+    world:update(1 / 60)
+    assert.equal("0.0", heard)
+  end)
+
   it("gets its width and height from add", function()
     local world = physics.newWorld()
     local coin = world:add("coins", { x = 3, y = 4, radius = 2.5, sensor = true })

@@ -19,7 +19,7 @@ whole way in both modes.]],
 }
 
 local mode = "both"
-local a, b, wall ---@type physics.NewObject, physics.NewObject, physics.NewObject
+local a, b, wall ---@type physics.NewBox, physics.NewObject, physics.NewObject
 
 function lesson.code()
   return ([[

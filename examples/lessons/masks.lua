@@ -25,8 +25,8 @@ local FLOOR = 440
 
 local world ---@type physics.World
 local ghost ---@type physics.Object
-local block ---@type physics.NewObject
-local door ---@type physics.NewObject
+local block ---@type physics.NewBox
+local door ---@type physics.NewBox
 local isMasked, isStatic, isActive ---@type boolean, boolean, boolean
 
 function lesson.code()

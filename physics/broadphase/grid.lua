@@ -112,7 +112,7 @@ local function levelFor(self, size)
   elseif size > 64 * cell then
     level, cell = 6, 64 * cell
   end
-  local n = ceil(min(size / cell, 64))
+  local n = ceil(max(min(size / cell, 64), 1)) -- far out a size may be 0 by rounding
   return level + LEVEL_OF[n], cell * WIDTH_OF[n]
 end
 

@@ -74,7 +74,7 @@ local function note(b, kind, i, j, third, side, speed)
   e.kind[n], e.leant[n] = kind, 0
   e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
   e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
-  e.side[n], e.speed[n] = side, speed
+  e.side[n], e.speed[n] = side, speed + 0.0 -- a float, and not -0, on each Lua
   e.x1[n], e.y1[n], e.x2[n], e.y2[n] = 0, 0, 0, 0
 end
 
