@@ -8,7 +8,7 @@ local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 654 },
   { "physics/contacts", 402 },
-  { "physics/fields", 728 },
+  { "physics/fields", 725 },
   { "physics/maps", 2304 },
   { "physics/memory", 841 },
   { "physics/motion", 980 },
