@@ -153,6 +153,7 @@ describe("raycast and radius: a ray", function()
     { "through the middle", { 0, 50, 100, 50 }, { 30, 50, -1, 0, 0.3 } },
     { "from above", { 50, 0, 50, 50 }, { 50, 30, 0, -1, 0.6 } },
     { "off the middle", { 0, 34, 100, 34 }, { 38, 34, -0.6, -0.8, 0.38 } },
+    { "aslant", { 18, 24, 58, 44 }, { 38, 34, -0.6, -0.8, 0.5 } },
     { "past it, through its square", { 0, 31, 32, 31 }, nil },
     { "that ends before it", { 0, 50, 29, 50 }, nil },
     { "from inside", { 50, 50, 100, 50 }, { 50, 50, 0, 0, 0 } },
