@@ -177,16 +177,10 @@ describe("raycast and radius: a ray", function()
 end)
 
 describe("radius: a sensor with one", function()
-  it("is met by what overlaps it already with a speed of 0.0, and not -0", function()
-    local world, heard = physics.newWorld({ gravity = 800 }), nil
-    function world.onBegin(_, _, _, speed)
-      heard = ("%.1f"):format(speed)
-    end
-    world:add("balls", { x = 0, y = 0, radius = 5 })
-    world:add("water", { x = 0, y = 3, width = 10, height = 10, static = true, sensor = true })
-    world:update(1 / 60)
-    assert.equal("0.0", heard)
-  end)
+  play.row("meets what is in it already with a speed of 0.0, and not -0", play.ONCE, {
+    scene.maker("balls", { radius = 5 })("ball", 0, 0, 10, 10),
+    scene.maker("waters", { static = true, sensor = true })("water", 0, 3, 10, 10),
+  }, { { "listen ball", 1 / 60, "1 / heard.ball.speed == 1 / 0" } })
 
   it("gets its width and height from add", function()
     local world = physics.newWorld()

@@ -120,17 +120,15 @@ describe("world:restore", function()
 
   -- What a jump keeps of a lift that is gone by now, in a world that has never had one.
   it("gives the same bits in a new world, whatever the old one had", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("floor", { x = -500, y = 100, width = 2000, height = 20, static = true })
-    local lift = { x = 0, y = 60, width = 100, height = 10, kinematic = true, vx = 100 }
-    world:add("lifts", lift)
-    local hero = world:add("heroes", { x = 20, y = 40, width = 10, height = 20, ax = -200 })
+    local world, other = physics.newWorld({ gravity = 800 }), physics.newWorld()
+    world:add("floor", mover(-500, 100, 2000, 20, { static = true }))
+    local lift = world:add("lifts", mover(0, 60, 100, 10, { kinematic = true, vx = 100 }))
+    local hero = world:add("heroes", mover(20, 40, 10, 20, { ax = -200 }))
     run(world, 2)
     hero.vx, hero.vy = 0, -100
     run(world, 3)
     world:remove(lift)
     run(world, 1)
-    local other = physics.newWorld()
     other:restore(world:save())
     run(world, 60)
     run(other, 60)

@@ -3,8 +3,6 @@
 
 local fresh = require("spec.support.fresh")
 
-local ZONE = { x = 0, y = 0, width = 9, height = 9, static = true, sensor = true, area = {} }
-
 -- A world that has made some steps, in which a box has landed.
 local function play(physics)
   local world = physics.newWorld({ gravity = 800 })
@@ -19,28 +17,18 @@ local function play(physics)
 end
 
 describe("a part of the library that the first step does not need", function()
-  -- the file, and what needs it: a method with its arguments, or a setting, "=", with its value;
+  -- of most folders one file, and what needs it: a method with its arguments, or a setting, "=",
+  -- with its value;
   -- "box" and "floor" are what is in the world
   for _, row in ipairs({
-    { "maps.array", "addTiles", "tiles", { "#" } },
-    { "maps.ldtk", "loadLDtk", {} },
     { "maps.tiled", "loadTiled", {} },
     { "motion.drift", "=", "soft", { boxes = { boxes = 100 } } },
-    { "motion.zones", "add", "zones", ZONE },
     { "queries.move", "move", "box", 8, 8 },
-    { "queries.query", "nearest", 0, 0, 10 },
-    { "queries.rays", "raycast", 0, 0, 10, 10 },
-    { "solver.nudge", "add", "boxes", { x = 0, y = 0, width = 9, height = 9, nudge = 2 } },
     { "solver.relax", "add", "balls", { x = 0, y = 0, radius = 9 } },
-    { "state.hash", "hash" },
-    { "state.restore", "restore", {} },
     { "state.save", "save" },
-    { "world.bounds", "setBounds", 0, 0, 10, 10 },
     { "world.draw", "draw" },
-    { "world.explain", "explain", "box", "floor" },
     { "world.checked", "=", "checked", true },
     { "fields.wording", "add" },
-    { "world.tutorial", "bump", "box", "floor" },
   }) do
     -- (In one file nothing is in package.loaded.)
     it(row[1] .. " #files is loaded when it is first used", function()

@@ -5,7 +5,6 @@ local PAIRS = {
   { "assert.equal(1, 1)", "assert.equal(1, 2)" },
   { "assert.are.equal(1, 1)", 'assert.are.equal("1", 1)' },
   { "assert.not_equal(1, 2)", "assert.not_equal(1, 1)" },
-  { "assert.are_not.equal(1, 2)", "assert.are_not.equal(1, 1)" },
   { "assert.same({ { 1 } }, { { 1 } })", "assert.same({ { 1 } }, { { 1, 2 } })" },
   { "assert.same({ a = 1 }, { a = 1 })", "assert.are.same({ a = 1 }, {})" },
   { "assert.near(1, 1.1, 0.2)", "assert.near(1, 1.1, 0.05)" },
@@ -20,10 +19,8 @@ local PAIRS = {
   { "assert.is_string('')", "assert.is_string(1)" },
   { "assert.is_function(print)", "assert.is_function(1)" },
   { "assert(1)", "assert(nil)" },
-  {
-    "assert.matches('b+', 'abb')",
-    "assert.matches('b+', 'b+', 1, true); assert.matches('c', 'b')",
-  },
+  { "assert.matches('b+', 'abb')", "assert.matches('c', 'b')" },
+  { "assert.matches('b+', 'b+', 1, true)", "assert.matches('b+', 'bb', 1, true)" },
   { "assert.has_error(function() error('a') end)", "assert.has_error(function() end)" },
   {
     "assert.has_error(function() error('a') end, 'a')",

@@ -23,12 +23,6 @@ describe("the list of slow specs", function()
     assert.same(found, listed)
   end)
 
-  it("names files that may differ, and which there are #files", function()
-    for _, path in ipairs(slow.differs) do
-      assert.is_true(#read(path) > 0)
-    end
-  end)
-
   it("names interpreters that scripts/test.sh plays #files", function()
     local script = read("scripts/test.sh")
     for _, name in ipairs(slow.interpreters) do
