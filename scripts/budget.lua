@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 654 },
   { "physics/contacts", 402 },
   { "physics/fields", 725 },
-  { "physics/maps", 2304 },
+  { "physics/maps", 2303 },
   { "physics/memory", 841 },
   { "physics/motion", 980 },
   { "physics/objects", 1201 },

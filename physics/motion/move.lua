@@ -42,8 +42,7 @@ local function findFlights(b, dt, first, last)
       speed[k], speed[m] = endX, endY
       way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
     elseif kind[i] == DYNAMIC then
-      forces.flyAlong(b, k, pull[k] + push[k], air[i], dt)
-      forces.flyAlong(b, m, pull[m] + push[m], air[i], dt)
+      forces.flight(b, i, pull[k] + push[k], pull[m] + push[m], dt)
     end
   end
 end
