@@ -10,6 +10,7 @@ if root then
 end
 
 local engines = require("bench.engines")
+local files = require("spec.support.files")
 local json = require("bench.json")
 local report = require("bench.report")
 local scenes = require("bench.scenes")
@@ -360,24 +361,11 @@ function docs.picture(bars)
   return table.concat(lines, "\n") .. "\n</svg>\n"
 end
 
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
-
-local function write(path, text)
-  local file = assert(io.open(path, "wb"))
-  file:write(text)
-  file:close()
-end
-
 -- Several files: their results one after the other, the machine of the first.
 local function readAll(paths)
-  local data = json.decode(read(paths[1]))
+  local data = json.decode(files.read(paths[1]))
   for i = 2, #paths do
-    for _, job in ipairs(json.decode(read(paths[i])).results) do
+    for _, job in ipairs(json.decode(files.read(paths[i])).results) do
       data.results[#data.results + 1] = job
     end
   end
@@ -391,9 +379,9 @@ local function main(paths)
     { "docs/performance.md", docs.summary },
   }
   for _, page in ipairs(pages) do
-    write(page[1], docs.insert(read(page[1]), page[2](data)))
+    files.write(page[1], docs.insert(files.read(page[1]), page[2](data)))
   end
-  write("docs/performance.svg", docs.picture(docs.bars(data)))
+  files.write("docs/performance.svg", docs.picture(docs.bars(data)))
 end
 
 if root then

@@ -8,6 +8,8 @@
 
 package.path = "./?.lua;" .. package.path
 
+local files = require("spec.support.files")
+
 local INTERPRETERS = { "luajit", "lua5.1" }
 local FOLDER, SINGLE = "build/size", "build/size/single/physics.lua"
 local WORLDS, TILES, OBJECTS = 20, 2000, 40
@@ -141,26 +143,6 @@ end
 
 -- All of them -------------------------------------------------------------------------------------
 
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
-
-local function write(path, text)
-  local file = assert(io.open(path, "wb"))
-  file:write(text)
-  file:close()
-end
-
-local function output(command)
-  local pipe = assert(io.popen(command))
-  local text = pipe:read("*a")
-  pipe:close()
-  return text
-end
-
 -- The source without comments, indents and empty lines.
 local function stripped(text)
   local parts, before = {}, nil
@@ -190,15 +172,15 @@ local function measured(interpreter, path, what, name, rounds)
   local list = {}
   for i = 1, rounds do
     local command = "LUA_PATH='%s/?.lua;./?.lua' %s bench/size.lua --measure %s %s"
-    list[i] = assert(tonumber(output(command:format(path, interpreter, what, name))), what)
+    list[i] = assert(tonumber(files.output(command:format(path, interpreter, what, name))), what)
   end
   return median(list)
 end
 
 local function sourceBytes()
   local total = 0
-  for path in output("find physics.lua physics -name '*.lua'"):gmatch("[^\n]+") do
-    local text = read(path)
+  for path in files.output("find physics.lua physics -name '*.lua'"):gmatch("[^\n]+") do
+    local text = files.read(path)
     if not text:find("^%-%-%-@meta") then -- types for editors, never loaded
       total = total + #text
     end
@@ -218,9 +200,9 @@ local ROWS = {
 local function report(options)
   os.execute("mkdir -p " .. FOLDER .. "/single " .. FOLDER .. "/small")
   assert(os.execute("luajit scripts/single.lua " .. SINGLE))
-  local single = read(SINGLE)
+  local single = files.read(SINGLE)
   local small = stripped(single)
-  write(FOLDER .. "/small/physics.lua", small)
+  files.write(FOLDER .. "/small/physics.lua", small)
 
   local places = {
     { "physics.lua", ".", "physics", sourceBytes() },

@@ -1,6 +1,7 @@
 --- A game in files: scenes and rooms are worlds that know nothing of each other, and the library
 --- may lie in any folder.
 
+local files = require("spec.support.files")
 local physics = require("physics")
 local small = require("spec.support.small")
 
@@ -54,24 +55,11 @@ describe("require: the library in a folder of the game", function()
     return args[first]
   end
 
-  local function output(command)
-    local pipe = assert(io.popen(command .. " 2>&1"))
-    local text = pipe:read("*a")
-    pipe:close()
-    return text
-  end
-
-  local function write(path, text)
-    local file = assert(io.open(path, "wb"))
-    file:write(text)
-    file:close()
-  end
-
   it("works as lib.physics, blames the game, sets no global, needs nothing else #posix", function()
     local folder = os.tmpname()
     os.remove(folder)
-    output(("mkdir -p '%s/lib' && cp -r physics.lua physics '%s/lib'"):format(folder, folder))
-    write(
+    files.output(("mkdir -p '%s/lib' && cp -r physics.lua physics '%s/lib'"):format(folder, folder))
+    files.write(
       folder .. "/main.lua",
       [[
         local before = {}
@@ -93,8 +81,8 @@ describe("require: the library in a folder of the game", function()
         print("it works")
       ]]
     )
-    local printed = output(("cd '%s' && '%s' main.lua"):format(folder, interpreter()))
-    output(("rm -r '%s'"):format(folder))
+    local printed = files.output(("cd '%s' && '%s' main.lua 2>&1"):format(folder, interpreter()))
+    files.output(("rm -r '%s'"):format(folder))
     assert.equal("it works\n", printed)
   end)
 end)

@@ -2,33 +2,10 @@
 
 local snippets = require("spec.support.snippets")
 
-local function wait(game, steps, each)
-  for _ = 1, steps do
-    game.update(1 / 60)
-    if each then
-      each()
-    end
-  end
-end
+local wait = snippets.wait
 
 describe("docs/platformers.md: its game", function()
-  local loveBefore
-
-  before_each(function()
-    loveBefore = rawget(_G, "love")
-  end)
-
-  after_each(function()
-    rawset(_G, "love", loveBefore)
-  end)
-
-  for step = 1, 7 do
-    it("step " .. step .. " plays, and the page links it", function()
-      assert.equal(step > 1, snippets.walks("platformer", step))
-      local link = "](steps/platformer" .. step .. ".lua)"
-      assert.truthy(snippets.read("docs/platformers.md"):find(link, 1, true))
-    end)
-  end
+  snippets.steps("docs/platformers.md", "platformer", 1)
 
   it("jumps, stomps, rides the lift and dies in the spikes as it says", function()
     local game, player, world = snippets.start("platformer", 7)

@@ -2,33 +2,10 @@
 
 local snippets = require("spec.support.snippets")
 
-local function wait(game, steps, each)
-  for _ = 1, steps do
-    game.update(1 / 60)
-    if each then
-      each()
-    end
-  end
-end
+local wait = snippets.wait
 
 describe("docs/topdown.md: its game", function()
-  local loveBefore
-
-  before_each(function()
-    loveBefore = rawget(_G, "love")
-  end)
-
-  after_each(function()
-    rawset(_G, "love", loveBefore)
-  end)
-
-  for step = 1, 7 do
-    it("step " .. step .. " plays, and the page links it", function()
-      assert.is_true(snippets.walks("topdown", step))
-      local link = "](steps/topdown" .. step .. ".lua)"
-      assert.truthy(snippets.read("docs/topdown.md"):find(link, 1, true))
-    end)
-  end
+  snippets.steps("docs/topdown.md", "topdown", 0)
 
   it("walks at its speed, shoots, goes through the door, takes gems", function()
     local game, player, world, held = snippets.start("topdown", 7)

@@ -1,5 +1,7 @@
 -- The runner for where busted cannot run (scripts/plain_busted.lua) notices what busted would.
 
+local files = require("spec.support.files")
+
 -- Each line fails, where the other of its pair holds.
 local PAIRS = {
   { "assert.equal(1, 1)", "assert.equal(1, 2)" },
@@ -36,13 +38,9 @@ local PAIRS = {
 -- process is not for that one.
 local function run(text, options)
   local path = os.tmpname()
-  local file = assert(io.open(path, "wb"))
-  file:write(text)
-  file:close()
+  files.write(path, text)
   local command = "env -u PHYSICS_LUA -u SPEC_TIMES luajit scripts/plain_busted.lua %s '%s' 2>&1"
-  local pipe = assert(io.popen(command:format(options, path)))
-  local printed = pipe:read("*a")
-  pipe:close()
+  local printed = files.output(command:format(options, path))
   os.remove(path)
   return printed
 end

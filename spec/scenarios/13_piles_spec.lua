@@ -209,16 +209,6 @@ local UPRIGHT = { shift = { 0, 1 / 3, -1000.1 }, rate = { 60, 30, 144 }, order =
 local TURNED = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, 144 }, turn = variants.TURNS }
 TURNED.order = variants.ORDERS
 
--- Plays some seconds; none of the steps may move anything farther than it may.
-local function watched(run, watch, seconds)
-  for _, dt in ipairs(scene.times(seconds, run.rate)) do
-    watch:before()
-    run:step(dt)
-    local problem = watch:after(dt)
-    run:check(not problem, "%s", problem)
-  end
-end
-
 -- Fails unless nothing moves by a bit for half a second.
 -- Nothing goes further than half a pixel in half a second: crates that are squeezed sideways part
 -- by 0.03 px in a step, less than a player sees, until the sum of their overlaps has stayed.
@@ -263,7 +253,7 @@ describe("x and y: a pile at one spot under a ceiling", function()
         description[2 + i] = body("box" .. i, 0, 100 - above, size, size)
       end
       local named = run:build(description)
-      watched(run, motion.new(run.world, run.all), 1)
+      scene.watch(run, motion.new(run.world, run.all), 1)
       overlap.expectApart(run)
       local least, most = 0, 0
       for i = 1, count do
@@ -313,9 +303,9 @@ describe("kinematic: a heap that it squeezes", function()
       local named = run:build(description)
       local watch = motion.new(run.world, run.all)
       named.piston.vx = 200 - left
-      watched(run, watch, 1)
+      scene.watch(run, watch, 1)
       named.piston.vx = 0
-      watched(run, watch, count < 40 and restitution == 0 and 2 or 3)
+      scene.watch(run, watch, count < 40 and restitution == 0 and 2 or 3)
       expectRest(run)
     end)
   end

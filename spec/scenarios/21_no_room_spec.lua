@@ -81,19 +81,6 @@ local function walls(width, height)
   }
 end
 
--- Plays some seconds under watch; `before(time)` writes what the game does before a step.
-local function play(run, watch, seconds, before)
-  for _, dt in ipairs(scene.times(seconds, run.rate)) do
-    if before then
-      before(run.time)
-    end
-    watch:before()
-    run:step(dt)
-    local problem = watch:after(dt)
-    run:check(not problem, "%s", problem)
-  end
-end
-
 local function build(run, description)
   local named = run:build(description)
   return named, motion.new(run.world, run.all)
@@ -115,7 +102,7 @@ local function expectRest(run, watch)
     local isStill = object.static or object.kinematic or object.vx == 0 and object.vy == 0
     run:check(isStill, "an object goes on at %.9g, %.9g px/s", object.vx or 0, object.vy or 0)
   end
-  play(run, watch, STILL)
+  scene.watch(run, watch, STILL)
   for i, object in ipairs(run.all) do
     local isSame = object.x == before[i][1] and object.y == before[i][2]
     local text = "an object at rest went from %.17g, %.17g to %.17g, %.17g"
@@ -222,9 +209,9 @@ describe("x and y: boxes at one spot", function()
     scene.each(LEVELS, function(run)
       local description = join({ gravity = row[2].gravity }, row[2])
       local _, watch = build(run, join(description, row[3]))
-      play(run, watch, APART)
+      scene.watch(run, watch, APART)
       expectApart(run)
-      play(run, watch, REST)
+      scene.watch(run, watch, REST)
       expectApart(run)
       expectRest(run, watch)
     end)
@@ -248,7 +235,7 @@ describe("x and y: boxes at one spot", function()
           local piece = { x = 146, y = 96, width = 8, height = 8, vx = vx, vy = vy, friction = 0.4 }
           run.all[#run.all + 1] = run:add("boxes", piece).raw
         end
-        play(run, watch, fling < 3 and 0.5 or 3.5)
+        scene.watch(run, watch, fling < 3 and 0.5 or 3.5)
       end
       expectApart(run)
       expectRest(run, watch)
@@ -268,7 +255,7 @@ describe("x, y and width: a closed room", function()
       scene.each(LEVELS, function(run)
         local description = join({ gravity = gravity }, walls(width, height))
         local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
-        play(run, watch, REST)
+        scene.watch(run, watch, REST)
         expectRest(run, watch)
       end)
     end)
@@ -280,7 +267,7 @@ describe("x, y and width: a closed room", function()
       local way = description[2][2]
       way.name = "way"
       local named, watch = build(run, join(description, scatter(40, 3, 12, 60, 60)))
-      play(run, watch, 1)
+      scene.watch(run, watch, 1)
       local raw = named.way.raw
       run.world:remove(raw)
       for i = #run.all, 1, -1 do
@@ -289,7 +276,7 @@ describe("x, y and width: a closed room", function()
         end
       end
       watch = motion.new(run.world, run.all)
-      play(run, watch, 3 * APART)
+      scene.watch(run, watch, 3 * APART)
       expectApart(run)
     end)
   end)
@@ -304,7 +291,7 @@ describe("x, y and width: a closed room", function()
           boxes[i + 1][2].friction = 0.3
         end
         local named, watch = build(run, join(description, boxes))
-        play(run, watch, 2, function(time)
+        scene.watch(run, watch, 2, function(time)
           local size = 8 + 9 * time -- px; at 24 px the room is full
           for i = 0, 15 do
             local raw = named["box" .. i].raw
@@ -312,7 +299,7 @@ describe("x, y and width: a closed room", function()
             raw.x, raw.y, raw.width, raw.height = raw.x - more, raw.y - more, size, size
           end
         end)
-        play(run, watch, REST)
+        scene.watch(run, watch, REST)
         expectRest(run, watch)
       end)
     end
@@ -326,7 +313,7 @@ describe("add: a heap", function()
         { wall(-20, -600, 20, 800), wall(120, -600, 20, 800), wall(0, 200, 120, 16) }
       local _, watch = build(run, join(description, heap(70, 4, 12, 120, 200)))
       local random, added = newRandom(6), 0
-      play(run, watch, 0.5, function()
+      scene.watch(run, watch, 0.5, function()
         if added < 15 then
           added = added + 1
           local x, y = random:between(0, 108), random:between(120, 188)
@@ -334,9 +321,9 @@ describe("add: a heap", function()
           run.all[#run.all + 1] = run:add("boxes", crate).raw
         end
       end)
-      play(run, watch, 1.5)
+      scene.watch(run, watch, 1.5)
       expectApart(run, 0.2) -- ten of 12 px fill a row exactly
-      play(run, watch, 1)
+      scene.watch(run, watch, 1)
       expectRest(run, watch)
     end)
   end)
@@ -365,17 +352,17 @@ describe("kinematic: a machine that leaves no room", function()
           end
         end
         drive(SPEED)
-        play(run, watch, 1.5) -- 30 px are left of 120
+        scene.watch(run, watch, 1.5) -- 30 px are left of 120
         drive(0)
         run:check(crushed > 0, "nothing was crushed")
-        play(run, watch, count < MANY and REST or REST_OF_MANY)
+        scene.watch(run, watch, count < MANY and REST or REST_OF_MANY)
         expectRest(run, watch)
         drive(-SPEED)
-        play(run, watch, 1.5)
+        scene.watch(run, watch, 1.5)
         drive(0)
-        play(run, watch, 3 * APART)
+        scene.watch(run, watch, 3 * APART)
         expectApart(run)
-        play(run, watch, 1)
+        scene.watch(run, watch, 1)
         expectRest(run, watch)
       end)
     end)

@@ -5,7 +5,7 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local small = require("spec.support.small")
 
-local tile = small.tile
+local run, tile = small.play, small.tile
 
 local long = effort.isFirst and it or pending
 
@@ -24,12 +24,6 @@ local function near(expected, value, tolerance)
     math.abs(expected - value) <= (tolerance or 1e-9),
     ("%.12g, not %.12g"):format(value, expected)
   )
-end
-
-local function run(world, seconds, rate)
-  for _ = 1, seconds * (rate or 60) + 0.5 do
-    world:update(1 / (rate or 60))
-  end
 end
 
 local function addRoom(world, width, height)

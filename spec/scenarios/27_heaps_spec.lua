@@ -3,18 +3,13 @@
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local run = require("spec.support.small").play
 
 local long = effort.isFirst and it or pending
 local COUNT = effort.isWhole and 60 or 36 -- balls of a heap
 
 local function wall(world, x, y, width, height)
   return world:add("walls", { x = x, y = y, width = width, height = height, static = true })
-end
-
-local function run(world, seconds, rate)
-  for _ = 1, seconds * (rate or 60) + 0.5 do
-    world:update(1 / (rate or 60))
-  end
 end
 
 -- A shaft 160 px wide with a floor at y 400. Returns the world and its floor.

@@ -1,4 +1,4 @@
---- Reads and lists the files of the project, from its folder.
+--- Reads, writes and lists the files of the project, from its folder, and runs its commands.
 
 local files = {}
 
@@ -7,6 +7,21 @@ function files.read(path)
   local file = assert(io.open(path, "rb"))
   local text = file:read("*a")
   file:close()
+  return text
+end
+
+--- Writes a file.
+function files.write(path, text)
+  local file = assert(io.open(path, "wb"))
+  file:write(text)
+  file:close()
+end
+
+--- Returns what a command prints.
+function files.output(command)
+  local pipe = assert(io.popen(command))
+  local text = pipe:read("*a")
+  pipe:close()
   return text
 end
 

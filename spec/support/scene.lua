@@ -231,6 +231,20 @@ function scene.times(seconds, rate)
   return list
 end
 
+--- Plays some seconds of a run under watch (see motion.new): none of the steps may move anything
+--- farther than it may. `before(time)` writes what the game does before a step.
+function scene.watch(run, watch, seconds, before)
+  for _, dt in ipairs(scene.times(seconds, run.rate)) do
+    if before then
+      before(run.time)
+    end
+    watch:before()
+    run:step(dt)
+    local problem = watch:after(dt)
+    run:check(not problem, "%s", problem)
+  end
+end
+
 --- Updates the world once.
 function Run:step(dt)
   self.world:update(dt)

@@ -52,4 +52,10 @@ function small.run(world, count, rate, each)
   end
 end
 
+--- Plays some seconds in steps of 1 / rate s.
+---@param rate? number default 60
+function small.play(world, seconds, rate)
+  small.run(world, math.floor(seconds * (rate or 60) + 0.5), rate)
+end
+
 return small

@@ -114,4 +114,39 @@ function snippets.walks(name, step)
   return player.x > x + 40
 end
 
+--- Makes `count` steps of a game, and calls `each` after each.
+function snippets.wait(game, count, each)
+  for _ = 1, count do
+    game.update(1 / 60)
+    if each then
+      each()
+    end
+  end
+end
+
+--- Rows for the seven steps of a page, docs/steps/`name`1.lua to 7: each plays, and the page links
+--- it. In the first `standing` ones the player does not walk. After each row of the `describe`
+--- around them `love` is what it was.
+function snippets.steps(page, name, standing)
+  -- busted gives its words to spec files, not to what they require
+  local words = rawget(_G, "it") and _G or require("busted")
+  local loveBefore
+
+  words.before_each(function()
+    loveBefore = rawget(_G, "love")
+  end)
+
+  words.after_each(function()
+    rawset(_G, "love", loveBefore)
+  end)
+
+  for step = 1, 7 do
+    words.it("step " .. step .. " plays, and the page links it", function()
+      assert(snippets.walks(name, step) == (step > standing))
+      local link = "](steps/" .. name .. step .. ".lua)"
+      assert(snippets.read(page):find(link, 1, true))
+    end)
+  end
+end
+
 return snippets
