@@ -25,7 +25,6 @@ local restore = {}
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local COLUMNS, PAIRS, VALUES = format.COLUMNS, format.PAIRS, events.VALUES
 local NONE = {}
-local WALLS = "bounds" -- the group of `setBounds` (see world/bounds)
 local max, min = math.max, math.min
 
 -- Which table is which object ---------------------------------------------------------------------
@@ -296,14 +295,6 @@ local function restoreEvents(b, st, objects)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
-local function restoreWalls(world)
-  local members = world.objects[WALLS]
-  world._walls = {}
-  for _, side in ipairs(columns.SIDES) do
-    world._walls[side] = type(members) == "table" and members[side] or nil
-  end
-end
-
 --- Makes a world what it was when `st` was saved. Returns what does not fit (see misfit), or nil.
 --- Errors: a state that cannot be used; then nothing has changed.
 function restore.world(world, st)
@@ -330,7 +321,6 @@ function restore.world(world, st)
   restoreContacts(b, st, slots)
   restoreTouching(b, st, objects, slots)
   restoreEvents(b, st, objects)
-  restoreWalls(world)
   b.restored = {}
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
