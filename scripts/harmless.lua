@@ -50,12 +50,6 @@ return {
     "boxes reach a little further there than they are, so what is met enters before the bound",
   },
   {
-    "physics/queries/move.lua",
-    "hits.spare[#hits.spare + 1] = hits[n]",
-    "hits.spare[#hits.spare + 2] = hits[n]",
-    "a spare table may be lost; another one is made",
-  },
-  {
     "physics/objects/settings.lua",
     "b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity + 0.0",
     "b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity - 0.0",

@@ -19,7 +19,7 @@ local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 -- x64: it reads what `next` has found through the lower half of a pointer to the stack.
 local NEXT = {
   ["fields.check"] = "firstBad isEmpty",
-  ["maps.digging"] = "keepPlain",
+  ["maps.cells"] = "keepPlain",
   ["maps.properties"] = "put saysThatItMoves isEmpty",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
@@ -30,7 +30,7 @@ local NEXT = {
   ["queries.move"] = "finish",
   ["queries.near"] = "readGroups",
   ["state.hash"] = "measure",
-  ["state.own"] = "problemOf",
+  ["state.format"] = "problemOf",
   ["state.restore"] = "clear place",
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",

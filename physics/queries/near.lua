@@ -9,7 +9,7 @@
 -- so each query compares all that moves. Groups in which nothing moves are compared by the first
 -- query after an update, `add`, `remove` or `refresh`. In a world of more than `FEW` movers that is
 -- so for all. What has changed is noted in the *view* of the world. What is found becomes a
--- *catch*: columns by place in it.
+-- *catch*: columns by place in it. What a query keeps of that becomes its list.
 --
 -- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
 
@@ -21,6 +21,7 @@ local filter = require(root .. ".broadphase.filter")
 local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
 local registry = require(root .. ".objects.registry")
 local shapes = require(root .. ".space.shapes")
+local sort = require(root .. ".memory.sort")
 
 local near = {}
 
@@ -332,6 +333,60 @@ function near.readFilter(c, n)
   c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
   c.oneWay[n], c.mask[n] = columns.sideOf(object.oneWay), object.mask or false
   c.only[n] = object.hits and filter.readHits(b, object.hits) or false
+end
+
+-- Results -----------------------------------------------------------------------------------------
+-- `found[1..count]` of a catch are places in it: what a query keeps.
+
+--- Returns whether the filter of a catch accepts the group of an object in it. One that is a
+--- function is asked later.
+function near.isNamed(c, n)
+  local filter, name = c.filter, c.groupName[n]
+  if type(filter) ~= "table" then
+    return filter == nil or filter == name or type(filter) == "function"
+  end
+  local at = 1
+  while filter[at] ~= nil and filter[at] ~= name do
+    at = at + 1
+  end
+  return filter[at] ~= nil
+end
+
+--- Returns whether the filter, if it is a function, accepts an object.
+function near.accepts(c, n)
+  return type(c.filter) ~= "function" or c.filter(c.object[n])
+end
+
+--- Ends a query: writes what it has kept and the filter accepts into `out`, in the order of column
+--- `first`, then of the world.
+---@return physics.Object[] objects
+---@return integer count
+function near.publish(c, count, first, out)
+  local found, n = c.found, 0
+  out = out or {}
+  sort.by(found, count, first, c.rank, c.rank)
+  for m = 1, count do
+    if near.accepts(c, found[m]) then
+      n = n + 1
+      out[n] = c.object[found[m]]
+    end
+  end
+  for m = #out, n + 1, -1 do
+    out[m] = nil
+  end
+  near.finish(c)
+  return out, n
+end
+
+--- Returns the first of what is kept that the filter accepts, by `entry`, then in the order of the
+--- world; nil: none.
+function near.first(c, count)
+  sort.by(c.found, count, c.entry, c.rank, c.rank)
+  for m = 1, count do
+    if near.accepts(c, c.found[m]) then
+      return c.found[m]
+    end
+  end
 end
 
 return near

@@ -8,7 +8,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
 local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
-local compare = require(root .. ".objects.compare")
+local readFields = require(root .. ".objects.readFields")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local fields = require(root .. ".fields.fields")
@@ -169,7 +169,7 @@ local function readKnown(b, st, objects)
     local object, i = objects[n], b.slotOf[objects[n]]
     local isStatic = i and b.kind[i] == STATIC
     if i and (isStatic or object.static) then
-      if isStatic ~= (object.static or false) or compare.firstOfStatic(b, i, object) then
+      if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
         read.refresh(b, i)
       end
     elseif i then
