@@ -419,7 +419,7 @@ function default.explode(x, y, radius, impulse, filter, walls) end
 --- a floor, so give a level with pits a higher rectangle.
 ---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
---- else; it is called from inside `canCollide`.
+--- that is not static; it is called from inside `canCollide`.
 ---@param x number? px, inner left edge; nil: no bounds
 ---@param y number? px, inner top edge
 ---@param w number? px, > 0

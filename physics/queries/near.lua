@@ -341,15 +341,11 @@ end
 --- Returns whether the filter of a catch accepts the group of an object in it. One that is a
 --- function is asked later.
 function near.isNamed(c, n)
-  local filter, name = c.filter, c.groupName[n]
-  if type(filter) ~= "table" then
-    return filter == nil or filter == name or type(filter) == "function"
+  local wanted, name = c.filter, c.groupName[n]
+  if type(wanted) == "table" then
+    return check.isAmong(name, wanted)
   end
-  local at = 1
-  while filter[at] ~= nil and filter[at] ~= name do
-    at = at + 1
-  end
-  return filter[at] ~= nil
+  return wanted == nil or wanted == name or type(wanted) == "function"
 end
 
 --- Returns whether the filter, if it is a function, accepts an object.
