@@ -15,15 +15,13 @@
 
 local path = ...
 local compiler = require(path .. ".memory.compiler")
-local keyOrder = require(path .. ".memory.keyOrder")
 
-compiler.apply(path) -- other modules use keyOrder when they are loaded
+compiler.pause()
 
 local check = require(path .. ".fields.check")
+local keyOrder = require(path .. ".memory.keyOrder")
 local lazy = require(path .. ".memory.lazy")
 local world = require(path .. ".world.world")
-
-compiler.apply(path)
 
 -- Loaded when it is first used.
 local pure = lazy(path .. ".world.tutorial")
@@ -147,5 +145,7 @@ setmetatable(physics, {
     default()[name] = value
   end,
 })
+
+compiler.resume(path)
 
 return physics

@@ -16,12 +16,11 @@
 -- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
-local friction = require(root .. ".solver.friction")
+local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
@@ -52,7 +51,6 @@ local RESTARTS = 8
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
-  b.bonds = { [0] = bonds.new(), bonds.new() }
   b.blocks = pool.new()
   b.impacts = sweep.newImpacts()
 end
