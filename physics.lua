@@ -15,13 +15,10 @@
 
 local path = ...
 local compiler = require(path .. ".memory.compiler")
-
-compiler.pause()
-
+local world = compiler.load(path .. ".world.world", path)
 local check = require(path .. ".fields.check")
 local keyOrder = require(path .. ".memory.keyOrder")
 local lazy = require(path .. ".memory.lazy")
-local world = require(path .. ".world.world")
 
 -- Loaded when it is first used.
 local pure = lazy(path .. ".world.tutorial")
@@ -145,7 +142,5 @@ setmetatable(physics, {
     default()[name] = value
   end,
 })
-
-compiler.resume(path)
 
 return physics

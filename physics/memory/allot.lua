@@ -19,7 +19,7 @@ local floor, max, min, remove = math.floor, math.max, math.min, table.remove
 local EVERY, BODY, PAIR = layout.EVERY, layout.BODY, layout.PAIR
 --- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
 allot.GROUP_SPAN = 4294967296
--- Slots are prepared ahead: one for each so many that are in use.
+-- Slots are prepared ahead: for what is coming, and one for each so many that are in use.
 local AHEAD = 8
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
 -- there is room for one in MORE of all of them on top.
@@ -33,7 +33,7 @@ end
 -- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
 -- take twice as long.)
 local function blank(b, rows, first, last)
-  for n = 1, #rows.names do
+  for n = 1, first <= last and #rows.names or 0 do
     local width = rows.widths[n]
     local shift = width == 4 and 1 or 0 -- sides are 1 to 4
     fill(b[rows.names[n]], width * first + shift, width * (last + 1) + shift - 1, rows.values[n])
@@ -77,7 +77,7 @@ local function prepare(b, last)
 end
 
 -- Takes a slot behind `lastBody`. (Of the free ones some may be in front of it by now.)
-local function takePlace(b)
+local function takePlace(b, coming)
   local i
   repeat
     i = remove(b.freePlaces)
@@ -87,19 +87,20 @@ local function takePlace(b)
   else
     i = b.slots + 1
     b.slots = i
-    prepare(b, i > b.blankTo and i + floor(i / AHEAD) or i)
+    prepare(b, i > b.blankTo and max(i + coming - 1, i + floor(i / AHEAD)) or i)
   end
   return i
 end
 
 -- Takes a slot with all columns. There must be one.
-local function takeBody(b)
+local function takeBody(b, coming)
   local i = remove(b.free)
   local last = i
   if not i then
     i = b.lastUsed + 1
     b.lastUsed, b.slots = i, max(b.slots, i)
-    last = i > b.bodyBlankTo and min(i + floor(i / AHEAD), b.lastBody) or i - 1
+    last = max(i + coming - 1, i + floor(i / AHEAD))
+    last = i > b.bodyBlankTo and min(last, b.lastBody) or i - 1
     b.bodyBlankTo = max(b.bodyBlankTo, last)
     b.blankTo = max(b.blankTo, last)
   end
@@ -165,7 +166,7 @@ local function makeRoom(b, count, linkCount)
   prepare(b, b.slots)
   for i = first, b.lastBody do
     if b.object[i] and not b.movedTo[i] then
-      note(b, i, takePlace(b))
+      note(b, i, takePlace(b, 1))
     end
   end
   moveNoted(b, linkCount) -- and what was noted before
@@ -176,7 +177,7 @@ local function noteAll(b, list, count)
   for n = 1, count do
     if list[n] > b.lastBody and not b.movedTo[list[n]] then
       makeRoom(b, 1, count) -- (it may move the body)
-      note(b, list[n], takeBody(b))
+      note(b, list[n], takeBody(b, 1))
     end
   end
 end
@@ -200,20 +201,21 @@ end
 -- Coming and going -------------------------------------------------------------------------------
 
 --- Takes a slot for a new object and returns it. All its columns have their initial values.
-function allot.claim(b, isStatic)
+--- `coming`: it is the first of so many.
+function allot.claim(b, isStatic, coming)
   if not b.object then
     make(b)
   end
   b.count = b.count + 1
   if not isStatic then
-    makeRoom(b, 1, 0)
-    return takeBody(b)
+    makeRoom(b, coming, 0)
+    return takeBody(b, coming)
   elseif b.lastBody == math.huge then
     b.lastBody, b.slots = b.lastUsed + ROOM, b.lastUsed + ROOM
     b.bodyBlankTo = min(b.bodyBlankTo, b.lastBody)
     prepare(b, b.lastBody)
   end
-  return takePlace(b)
+  return takePlace(b, coming)
 end
 
 --- Gives the columns of bodies their first values: a body has got another kind.

@@ -24,8 +24,8 @@ local ROUNDING = 1e-9
 -- - STAND: the lower one stands; for the other it is ground.
 local BOND, SLIP, STAND = 1, 2, 3
 
--- Returns an empty list of bonds.
-local function newList()
+--- Returns an empty list of bonds.
+function bonds.new()
   return {
     count = 0,
     hasSlips = false, -- some bonds slip when the step begins
@@ -38,12 +38,6 @@ local function newList()
     slipped = {}, -- px that the upper body slips before it sticks
     next = {}, -- next bond on the same lower body
   }
-end
-
---- Returns the bonds of an axis.
-function bonds.of(b, axis)
-  b.bonds = b.bonds or { [0] = newList(), newList() }
-  return b.bonds[axis]
 end
 
 -- Lets bond n pull the upper body with an impulse of `tug`, and the lower body back.

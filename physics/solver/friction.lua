@@ -168,7 +168,8 @@ end
 --- Lets the contacts of an axis, which is settled, rub along the other one, and settles that axis.
 --- Returns false, and does nothing, if no contact rubs.
 function friction.run(b, axis, dt)
-  local list, other, held = b.contacts[axis], 1 - axis, bonds.of(b, 1 - axis)
+  b.bonds = b.bonds or { [0] = bonds.new(), bonds.new() }
+  local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   local rubbed = b.contacts[other]
   findSupports(b, list, axis)
   walk(b, list, held, dt, false)
