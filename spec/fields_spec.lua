@@ -247,7 +247,7 @@ describe("every callback: a new one needs one row, and a place that notices it: 
       twin:update(0)
       assert.equal(twin.objects.boxes[1], told)
       state.events[5] = 1
-      refuses("a side of this kind of event, got 1", twin.restore, twin, state)
+      refuses("must be true or false, got 1", twin.restore, twin, state)
     end)
   end)
 

@@ -157,10 +157,10 @@ describe("world:loadTiled refuses", function()
     { { x = NAN }, "x must be a number, got nan" },
     { { solidProperty = true }, "solidProperty must be a name, got true" },
     { { solidTiles = 5 }, "solidTiles must be a list of gids, got 5" },
-    { { solidTiles = { 0 } }, "solidTiles[1] must be an integer in 1..268435455, got 0" },
+    { { solidTiles = { 0 } }, "solidTiles[1] must be a gid, got 0" },
     {
       { kinds = { Crate = "box" } },
-      'kinds["Crate"] must be "static", "dynamic", "kinematic" …',
+      'kinds.Crate must be "static", "dynamic", "kinematic" …',
     },
     { { ellipses = "oval" }, 'ellipses must be "box" or "circle", got "oval"' },
     { { project = { propertyTypes = { 5 } } }, "the map is damaged: …" },
@@ -172,7 +172,7 @@ describe("world:loadTiled refuses", function()
       { onlyLayers = { "thngs" } },
       'onlyLayers[1] must be a layer of the map, got "thngs"; ' .. names,
     },
-    { { skipLayers = { true } }, "skipLayers[1] must be a string or a number, got true" },
+    { { skipLayers = { true } }, "skipLayers[1] must be a layer's name, got true" },
     { { solidLayers = { 9 } }, "solidLayers[1] must be a layer of the map, got 9; " .. names },
   }) do
     it("the option: " .. row[2], function()
@@ -252,7 +252,7 @@ describe("world:loadLDtk refuses", function()
     { { onlyLayers = { "Wall" } }, 'onlyLayers[1] must be a layer of the level, got "Wall"; …' },
     {
       { kinds = { Player = 5 } },
-      'kinds["Player"] must be "static", "dynamic", "kinematic" or …',
+      'kinds.Player must be "static", "dynamic", "kinematic" or …',
     },
   }) do
     it("the option: " .. row[2], function()
