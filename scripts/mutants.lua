@@ -59,7 +59,6 @@ local FIRST = {
   restore = { "state_restore", "state", "recovery" },
   validate = { "state_damaged", "state", "recovery" },
   hash = { "state", "state_restore" },
-  obstacle = { "queries", "queries_rays" },
   explain = { "debugging" },
   bounds = { "world" },
   pairFinder = { "settings" },
