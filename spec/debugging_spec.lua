@@ -309,14 +309,13 @@ describe("explain", function()
     { { x = 10, y = 10 }, {}, "can collide: now they are flush at a corner only" },
     { { x = 9, y = 10 }, {}, "can collide: now they are flush at the bottom of objects.a[1]." },
     { { x = 8 }, {}, "can collide: now they overlap by 2 px." },
-    { { active = false }, {}, "never collide: objects.b[1] is not active." },
+    { { active = false }, {}, "never collide: one of them is not active." },
     {
       {},
       { mask = { b = false } },
       'never collide: the mask of objects.a[1] refuses the group "b".',
     },
-    { { static = true }, { kinematic = true }, "one is kinematic and the other static" },
-    { { static = true }, { static = true }, "never collide: both are static" },
+    { { static = true }, { kinematic = true }, "never collide: neither of them is dynamic." },
     { { sensor = true }, {}, "objects.b[1] is a sensor" },
     { { oneWay = "top" }, {}, "objects.b[1] is solid only at its top" },
     { { oneWay = true }, {}, "objects.b[1] is solid only at its top" },
@@ -335,7 +334,7 @@ describe("explain", function()
   it("says which object is not there, what the world's masks and its canCollide do", function()
     local world = physics.newWorld({ gravity = 0, masks = { a = { b = false } } })
     local a, b = world:add("a", sized(0, 0, 10, 10)), world:add("b", sized(0, 0, 10, 10))
-    local text = 'the world\'s masks let "a" pass through "b"'
+    local text = 'the world\'s masks let objects.a[1] pass through the group "b"'
     assert.is_truthy(world:explain(b, a):find(text, 1, true))
     assert.is_truthy(world:explain(a, a):find("same object", 1, true))
     assert.is_truthy(world:explain(a, {}):find("b is not in the world", 1, true))

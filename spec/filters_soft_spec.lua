@@ -86,7 +86,7 @@ describe("soft: objects", function()
     assert.is_nil(world:touching(a, b))
     assert.equal(
       "objects.enemies[1] and objects.enemies[2] never collide:"
-        .. ' "enemies" and "enemies" are soft to each other, and drift apart.',
+        .. " their groups are soft to each other.",
       world:explain(a, b)
     )
     assert.is_nil((world:sweep(a, 300, 0)))
