@@ -305,7 +305,7 @@ describe("move, impulse and setBounds refuse", function()
     { "move", { "me", 50, 0, no }, "what response(object, other) returns must be" },
     { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
     { "move", { {}, 0, 0 }, "world:move(object, x, y): the object is not in the world" },
-    { "impulse", { "wall", 0, 0 }, "object must be dynamic, got a static one" },
+    { "impulse", { "wall", 0, 0 }, "object must be dynamic" },
     { "setBounds", { 0, 0, 0, 5 }, "world:setBounds(x, y, w, h): w must be a number > 0, got 0" },
   }) do
     it(row[3], function()

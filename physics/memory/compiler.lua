@@ -36,7 +36,6 @@ local NEXT = {
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",
   ["world.class"] = "search",
-  ["world.world"] = "save",
 }
 
 -- What takes another path for each pair, and would become hundreds of traces. Least times of three
