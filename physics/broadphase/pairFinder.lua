@@ -58,11 +58,9 @@ end
 -- Marks the neighbours of an object, so that they are not linked twice.
 local function markNeighbours(b, i)
   b.stamp = b.stamp + 1
-  local stamp, mark, other, nextHalf = b.stamp, b.mark, b.other, b.next
-  local half = b.head[i]
-  while half ~= 0 do
-    mark[other[half]] = stamp
-    half = nextHalf[half]
+  local stamp, mark = b.stamp, b.mark
+  for _, j in columns.neighbours(b, i) do
+    mark[j] = stamp
   end
   return stamp
 end
@@ -217,16 +215,14 @@ end
 -- Ends the pairs of an object that are not possible any more. If it stands on the other one, it
 -- stands on nothing then: that slot may be used for another object soon.
 local function unlink(b, i)
-  local half, n, support = b.head[i], 0, b.support
-  while half ~= 0 do
-    local j = b.other[half]
+  local n, support = 0, b.support
+  for _, j, p in columns.neighbours(b, i) do
     if filter.reason(b, i, j) then
       n = n + 1
-      b.parted[n] = floor(half * 0.5 + 0.5)
+      b.parted[n] = p
       support[i] = support[i] == j and 0 or support[i]
       support[j] = support[j] == i and 0 or support[j]
     end
-    half = b.next[half]
   end
   columns.unlinkAll(b, b.parted, n)
 end

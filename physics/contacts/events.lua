@@ -18,7 +18,7 @@ local events = {}
 
 local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
 local AT_LEFT, AT_TOP = columns.SIDE.left, columns.SIDE.top
-local floor, max, min = math.floor, math.max, math.min
+local max, min = math.max, math.min
 
 --- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
 events.VALUES = {
@@ -183,9 +183,7 @@ end
 --- changed one of the two. It is no longer wedged into them, and there may be room now. (It may
 --- touch them again in the same step.)
 function events.endContacts(b, i, isOver)
-  local half = b.head[i]
-  while half ~= 0 do
-    local p, j = floor(half * 0.5 + 0.5), b.other[half]
+  for _, j, p in columns.neighbours(b, i) do
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
       if b.contact[p] ~= 0 then
@@ -197,7 +195,6 @@ function events.endContacts(b, i, isOver)
         b.contact[p], b.contactCount = 0, b.contactCount - 1
       end
     end
-    half = b.next[half]
   end
 end
 

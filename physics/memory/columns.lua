@@ -225,15 +225,27 @@ function columns.ranks(b, i, j)
   return first, second
 end
 
+-- Returns the half-edge after another one, or the first one of a slot, given as a number below 0;
+-- the neighbour, and the pair. Nil behind the last one.
+local function follow(b, half)
+  half = half < 0 and b.head[-half] or b.next[half]
+  if half ~= 0 then
+    return half, b.other[half], floor(half * 0.5 + 0.5)
+  end
+end
+
+--- Goes through the neighbours of slot i: `for _, j, p in columns.neighbours(b, i) do`, where p is
+--- the pair of i and j.
+function columns.neighbours(b, i)
+  return follow, b, -i
+end
+
 --- Returns the pair of two neighbours, or nil.
-function columns.pairOf(b, i, j)
-  local other, nextHalf = b.other, b.next
-  local half = b.head[i]
-  while half ~= 0 do
-    if other[half] == j then
-      return floor(half * 0.5 + 0.5)
+function columns.pairOf(b, i, other)
+  for _, j, p in columns.neighbours(b, i) do
+    if j == other then
+      return p
     end
-    half = nextHalf[half]
   end
 end
 

@@ -19,7 +19,7 @@ local columns = require(root .. ".memory.columns")
 
 local islands = {}
 
-local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local STATIC, DYNAMIC, neighbours = columns.STATIC, columns.DYNAMIC, columns.neighbours
 
 --- The shortest step in which bodies fall asleep, s: what happens in a shorter one may be too
 --- little to show. In a shorter step no sleeping body is skipped either: what a long step takes
@@ -36,7 +36,6 @@ end
 --- The list of awake bodies is the queue of this flood fill.
 function islands.wake(b, i)
   local list, kind, awake = b.awakeList, b.kind, b.awake
-  local head, other, nextHalf = b.head, b.other, b.next
   if kind[i] == STATIC or not b.active[i] then
     return
   end
@@ -46,13 +45,10 @@ function islands.wake(b, i)
     rouse(b, i)
   end
   while n <= b.awakeCount do
-    local half = head[list[n]]
-    while half ~= 0 do
-      local j = other[half]
+    for _, j in neighbours(b, list[n]) do
       if kind[j] == DYNAMIC and not awake[j] then
         rouse(b, j)
       end
-      half = nextHalf[half]
     end
     n = n + 1
   end
@@ -60,10 +56,8 @@ end
 
 --- Wakes all neighbours of an object, which may be static.
 function islands.wakeNeighbours(b, i)
-  local half = b.head[i]
-  while half ~= 0 do
-    islands.wake(b, b.other[half])
-    half = b.next[half]
+  for _, j in neighbours(b, i) do
+    islands.wake(b, j)
   end
 end
 
@@ -88,22 +82,18 @@ end
 -- its neighbours, too.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, mark = b.island, b.kind, b.awake, b.quiet, b.mark
-  local head, other, nextHalf = b.head, b.other, b.next
   local count, n, isQuiet = 1, 1, true
   island[1], mark[i] = i, stamp
   while n <= count do
     local member = island[n]
     isQuiet = isQuiet and quiet[member]
-    local half = kind[i] == DYNAMIC and head[member] or 0
-    while half ~= 0 do
-      local j = other[half]
-      if kind[j] == DYNAMIC and awake[j] and mark[j] ~= stamp then
+    for _, j in neighbours(b, member) do
+      if kind[i] == DYNAMIC and kind[j] == DYNAMIC and awake[j] and mark[j] ~= stamp then
         count, mark[j] = count + 1, stamp
         island[count] = j
-      elseif kind[j] ~= DYNAMIC and awake[j] then
+      elseif kind[i] == DYNAMIC and kind[j] ~= DYNAMIC and awake[j] then
         isQuiet = isQuiet and quiet[j]
       end
-      half = nextHalf[half]
     end
     n = n + 1
   end

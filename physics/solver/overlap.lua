@@ -28,7 +28,8 @@ local sort = require(root .. ".memory.sort")
 local overlap = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+local neighbours = columns.neighbours
+local huge, max, min = math.huge, math.max, math.min
 -- Pairs that bodies moved in a round overlap now are parted in the next one.
 local ROUNDS = 8
 -- Number of overlapped dynamic bodies that a body leaves at once.
@@ -272,17 +273,15 @@ end
 -- Returns whether slot i is left to the contacts: it overlaps more than MOST others that can be
 -- pushed, or was moved far in this step.
 local function isCrowded(b, i)
-  local half, count, k = b.head[i], 0, 2 * i
+  local count, k = 0, 2 * i
   local x, y = b.from[k] - b.position[k], b.from[k + 1] - b.position[k + 1]
   if max(x, -x) > FURTHEST * b.size[k] or max(y, -y) > FURTHEST * b.size[k + 1] then
     return true
   end
-  while half ~= 0 and count <= MOST do
-    local j = b.other[half]
+  for _, j in neighbours(b, i) do
     if b.kind[j] == DYNAMIC and not b.sensor[j] and isDeep(depthOf(b, i, j)) then
       count = count + 1
     end
-    half = b.next[half]
   end
   return count > MOST
 end
@@ -314,13 +313,10 @@ end
 
 -- Considers the pairs of slot i. (A crowd lays out its members: they leave only what is none.)
 local function considerAll(b, i)
-  local half = b.head[i]
-  while half ~= 0 do
-    local j = b.other[half]
+  for _, j, p in neighbours(b, i) do
     if max(b.crowd[2 * i], b.crowd[2 * j]) <= 0 or b.kind[i] ~= b.kind[j] then
-      consider(b, floor(half * 0.5 + 0.5))
+      consider(b, p)
     end
-    half = b.next[half]
   end
 end
 
@@ -427,10 +423,10 @@ function overlap.noteGrown(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     local hasGrown = b.kind[i] == DYNAMIC and b.wasSize[2 * i] > 0
-    local half = hasGrown and isThere(b, i) and b.head[i] or 0
-    while half ~= 0 do
-      wedge(b, floor(half * 0.5 + 0.5), i, b.other[half])
-      half = b.next[half]
+    if hasGrown and isThere(b, i) then
+      for _, j, p in neighbours(b, i) do
+        wedge(b, p, i, j)
+      end
     end
     for k = 2 * i, hasGrown and 2 * i + 1 or 0 do
       b.wasAt[k], b.wasSize[k] = 0, 0

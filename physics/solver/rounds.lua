@@ -20,7 +20,7 @@ local sweep = require(root .. ".solver.sweep")
 
 local rounds = {}
 
-local DYNAMIC, WIDTHS = columns.DYNAMIC, columns.WIDTHS
+local DYNAMIC, WIDTHS, neighbours = columns.DYNAMIC, columns.WIDTHS, columns.neighbours
 local floor, max, min = math.floor, math.max, math.min
 
 -- Share of the smaller size from which on two that would end inside each other are torn.
@@ -133,7 +133,7 @@ end
 -- changed the path of slot i, or of a body that would end far inside it now; or, if it may bounce
 -- (`mayBounce`), a path that comes near that of slot i, which may meet that body first.
 local function isDisturbed(b, i, mayBounce)
-  local half, inRound, round = b.head[i], b.inRound, b.roundStamp
+  local inRound, round = b.inRound, b.roundStamp
   if inRound[i] == round then
     return true
   elseif b.kind[i] ~= DYNAMIC then
@@ -141,11 +141,10 @@ local function isDisturbed(b, i, mayBounce)
   elseif mayBounce and meetsBounced(b, i) then
     return true
   end
-  while half ~= 0 do
-    if inRound[b.other[half]] == round and isTorn(b, floor(half * 0.5 + 0.5)) then
+  for _, j, p in neighbours(b, i) do
+    if inRound[j] == round and isTorn(b, p) then
       return true
     end
-    half = b.next[half]
   end
   return false
 end

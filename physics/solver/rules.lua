@@ -13,7 +13,7 @@ local touch = require(root .. ".solver.touch")
 
 local rules = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, neighbours = columns.DYNAMIC, columns.neighbours
 local OPPOSITE, SIDE, SIDES = columns.OPPOSITE, columns.SIDE, columns.SIDES
 local floor = math.floor
 
@@ -26,12 +26,10 @@ end
 -- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
 -- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
 local function isFalling(b, i, solid)
-  local half = solid and b.head[i] or 0
-  while half ~= 0 do
-    if b.dropping[floor(half * 0.5 + 0.5)] and b.oneWay[b.other[half]] == solid then
+  for _, j, p in neighbours(b, i) do
+    if solid and b.dropping[p] and b.oneWay[j] == solid then
       return true
     end
-    half = b.next[half]
   end
   return false
 end
@@ -127,13 +125,12 @@ end
 --- Lets slot i fall through the one-way objects that it stands on. Returns whether there were any.
 --- An object that is not dynamic stands on nothing, nor does one without gravity.
 function rules.drop(b, i)
-  local half, x, y, any = b.head[i], b.down[2 * i], b.down[2 * i + 1], false
+  local x, y, any = b.down[2 * i], b.down[2 * i + 1], false
   if b.kind[i] ~= DYNAMIC or (x == 0 and y == 0) then
     return false
   end
   local foot = x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y -- left, right, top, bottom are 1 to 4
-  while half ~= 0 do
-    local p, j = floor(half * 0.5 + 0.5), b.other[half]
+  for _, j, p in neighbours(b, i) do
     local side = b.contact[p] -- side of the first body of the pair, 0: none
     if side ~= 0 and b.pairA[p] ~= i then
       side = OPPOSITE[side]
@@ -142,7 +139,6 @@ function rules.drop(b, i)
       b.dropping[p], any = true, true
       keepUp(b, i, j)
     end
-    half = b.next[half]
   end
   return any
 end
