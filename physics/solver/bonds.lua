@@ -205,8 +205,6 @@ function bonds.check(b, contacts, list, mayTear)
       hasChanged = hasChanged or isNew
       need[low] = need[low] + impulse
       isPushed[low] = isPushed[low] or isPushed[up]
-    elseif b.speed[low] ~= b.base[up] then -- it stands no more
-      list.state[n], list.isGlued[n], b.grip[up], hasChanged = BOND, true, 0, true
     end
   end
   return hasChanged

@@ -3,11 +3,9 @@
 -- speed limits.
 --
 -- Coulomb friction against ground that moves at v is a *kink* at v: the force jumps there, from
--- +grip below to -grip above. A motion that comes to a kink stays there while the rest of the
+-- +grip below to -grip above. A motion that comes to the kink stays there while the rest of the
 -- force is less than the grip. A speed limit holds what comes to it as long as the force drives it
 -- on. So friction stops, turns or holds a body at the exact moment, and so do limits.
---
--- The kinks of a block are a list by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`. 0 ends it.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -19,72 +17,23 @@ local flow = {}
 local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Maximum number of stretches of time between two kinks in a step.
-local STRETCHES = 8
-
---- Returns a new list of one kink at velocity `at` with a force of `grip`.
-function flow.newKink(b, at, grip)
-  local n = b.kinkCount + 1
-  b.kinkCount = n
-  b.kinkAt[n], b.kinkGrip[n], b.kinkNext[n] = at, grip, 0
-  return n
-end
-
---- Merges two lists of kinks and returns the new list; the old ones are no longer valid. Kinks at
---- the same velocity become one.
-function flow.merge(b, one, other)
-  local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
-  local first, last = 0, 0
-  while one ~= 0 or other ~= 0 do
-    local n
-    if other == 0 or (one ~= 0 and kinkAt[one] <= kinkAt[other]) then
-      n, one = one, kinkNext[one]
-    else
-      n, other = other, kinkNext[other]
-    end
-    if last ~= 0 and kinkAt[last] == kinkAt[n] then
-      kinkGrip[last] = kinkGrip[last] + kinkGrip[n]
-    elseif last == 0 then
-      first, last = n, n
-    else
-      kinkNext[last], last = n, n
-    end
-  end
-  if last ~= 0 then
-    kinkNext[last] = 0
-  end
-  return first
-end
-
--- Returns the force just below and just above velocity v, and the velocities of the next kinks on
--- both sides.
-local function around(b, list, force, v)
-  local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
-  local below, above, slower, faster = force, force, -HUGE, HUGE
-  while list ~= 0 do
-    local at, grip = kinkAt[list], kinkGrip[list]
-    below = at < v and below - grip or below + grip
-    above = at > v and above + grip or above - grip
-    slower = at < v and at or slower
-    faster = at > v and min(at, faster) or faster
-    list = kinkNext[list]
-  end
-  return below, above, slower, faster
-end
+-- Stretches of time in a step: before the kink, after it, and at a limit.
+local STRETCHES = 3
 
 --- Returns the velocity after `tau` s and the displacement until then, px. The body has this mass,
---- this force without its kinks, and the velocity v. It moves no slower than `least` and no faster
---- than `most`.
-function flow.run(b, list, mass, force, v, tau, least, most)
+--- the velocity v, this force without its kink, of `grip` at velocity `base`. It moves no slower
+--- than `least` and no faster than `most`.
+function flow.run(base, grip, mass, force, v, tau, least, most)
   local way = 0.0
-  v = max(min(v, most), least)
+  base, v = grip > 0 and base or HUGE, max(min(v, most), least)
   for _ = 1, STRETCHES do
-    local below, above, slower, faster = around(b, list, force, v)
+    local above = v < base and force + grip or force - grip
+    local below = v > base and force - grip or force + grip
     local a, target = 0.0, v
     if above > 0 and v < most then
-      a, target = above / mass, min(faster, most)
+      a, target = above / mass, min(v < base and base or HUGE, most)
     elseif below < 0 and v > least then
-      a, target = below / mass, max(slower, least)
+      a, target = below / mass, max(v > base and base or -HUGE, least)
     end
     local last = v + a * tau
     if a == 0 or (target - last) * a >= 0 then
@@ -110,14 +59,12 @@ end
 --- Returns the velocity of body k tau s after it was v, in a step of dt s, and its displacement.
 --- The friction of its ground and its limits act on it.
 function flow.body(b, k, v, tau, dt)
-  local give, grip, kinks = b.give[k], b.grip[k], b.kinkCount
+  local give, grip, base = b.give[k], b.grip[k], b.base[k]
   if b.flowAir[floor(k * 0.5)] ~= 0 and b.least[k] == -HUGE and b.most[k] == HUGE then
     local a = path.pullOf(b, k) + b.tug[k] * give / dt
-    return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
+    return forces.slide(b, k, v, a, base, grip * give, tau)
   end
-  local list = grip > 0 and flow.newKink(b, b.base[k], grip * give) or 0
-  b.kinkCount = kinks
-  return flow.run(b, list, 1, flow.drive(b, k, dt), v, tau, b.least[k], b.most[k])
+  return flow.run(base, grip * give, 1, flow.drive(b, k, dt), v, tau, b.least[k], b.most[k])
 end
 
 --- Notes that friction or a bond acts on body k, so that its path must be computed anew.
@@ -164,7 +111,6 @@ end
 function flow.begin(b)
   local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
   local grip, base, bondUnder, bondOn = b.grip, b.base, b.bondUnder, b.bondOn
-  b.kinkCount = 0
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
       onset[k], tug[k], grip[k], base[k], bondUnder[k], bondOn[k] = start[k], 0, 0, 0, 0, 0

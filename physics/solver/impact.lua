@@ -68,10 +68,6 @@ local function weigh(b, i, j, kl, kh)
     return pool.share(one > other, wl, wh, vl, vh)
   end
   stayLow, stayHigh = pool.weigh(one, other, vl, vh)
-  if stayLow and stayHigh then
-    path.finish(b, kl, b.from[kl], 0.0, 0.0)
-    path.finish(b, kh, b.from[kh], 0.0, 0.0)
-  end
   return stayLow and 0 or wl, stayHigh and 0 or wh
 end
 
@@ -111,7 +107,7 @@ local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   local loss = mu * jolt * total
   local after = v > loss and v - loss or v < -loss and v + loss or 0.0
   local brake = tau > 0 and mu * press * total / tau or 0.0
-  local new, way = flow.run(b, flow.newKink(b, 0.0, brake), 1, accel, after, tau, -HUGE, HUGE)
+  local new, way = flow.run(0.0, brake, 1, accel, after, tau, -HUGE, HUGE)
   local dv, d = (new - last) / total, (way - (v + last) * 0.5 * tau) / total
   path.add(b, kl, d * il, dv * il)
   path.add(b, kh, -d * ih, -dv * ih)

@@ -40,7 +40,8 @@ function pool.new()
     momentum = {}, -- at the start of the step
     speed = {}, -- momentum at its end
     force = {},
-    kinks = {},
+    base = {}, -- velocity of the ground that its members rub on,
+    grip = {}, -- and the limit of their friction there
     shift = {}, -- kg px between its centre of mass and where its members alone would have it
     least = {}, -- speed limits
     most = {},
@@ -82,7 +83,7 @@ local function register(b, k, dt)
   blocks.mass[k], blocks.shift[k] = mass, 0.0
   blocks.momentum[k], blocks.speed[k] = mass * onset, mass * b.speed[k]
   blocks.force[k] = mass * flow.drive(b, k, dt)
-  blocks.kinks[k] = grip > 0 and flow.newKink(b, base, grip) or 0
+  blocks.base[k], blocks.grip[k] = base, grip
   blocks.stand[k] = grip > 0 and base == onset and base or HUGE
   blocks.least[k], blocks.most[k] = b.least[k], b.most[k]
   blocks.power[k] = b.power[floor(k * 0.5)]
@@ -98,12 +99,13 @@ end
 local function finish(b, k, dt, isLate, place)
   local blocks = b.blocks
   local mass, least, most = blocks.mass[k], blocks.least[k], blocks.most[k]
-  if isLate or (blocks.kinks[k] == 0 and least == -HUGE and most == HUGE) then
+  if isLate or (blocks.grip[k] == 0 and least == -HUGE and most == HUGE) then
     b.to[k], b.speed[k] = place, max(min(blocks.speed[k] / mass, most), least)
     return
   end
   local onset = blocks.momentum[k] / mass
-  local v, way = flow.run(b, blocks.kinks[k], mass, blocks.force[k], onset, dt, least, most)
+  local base, grip, force = blocks.base[k], blocks.grip[k], blocks.force[k]
+  local v, way = flow.run(base, grip, mass, force, onset, dt, least, most)
   way = v == blocks.stand[k] and v * dt or way
   b.to[k], b.speed[k] = origin(b, k) + way, v
 end
@@ -127,6 +129,22 @@ local function add(column, one, other)
   column[one] = column[one] + column[other]
 end
 
+-- Adds the friction of block `other` to that of `one`, if the ground of both goes at one velocity.
+-- Else the stronger grip counts, and the other one as a force.
+local function rubTogether(blocks, one, other)
+  local base, grip, force = blocks.base, blocks.grip, blocks.force
+  local strong, weak = one, other
+  if grip[other] > grip[one] then
+    strong, weak = other, one
+  end
+  if base[one] == base[other] then
+    grip[one] = grip[one] + grip[other]
+  else
+    force[one] = force[one] + (base[weak] > base[strong] and grip[weak] or -grip[weak])
+    base[one], grip[one] = base[strong], grip[strong]
+  end
+end
+
 -- Joins two blocks into one. `other` is `off` px from `one`.
 local function join(b, one, other, off, dt, isLate, isFirst)
   local blocks, accel = b.blocks, b.accel
@@ -140,7 +158,7 @@ local function join(b, one, other, off, dt, isLate, isFirst)
   add(blocks.force, one, other)
   add(blocks.shift, one, other)
   blocks.shift[one] = blocks.shift[one] + massOther * (apart - off)
-  blocks.kinks[one] = flow.merge(b, blocks.kinks[one], blocks.kinks[other])
+  rubTogether(blocks, one, other)
   blocks.least[one] = max(blocks.least[one], blocks.least[other])
   blocks.most[one] = min(blocks.most[one], blocks.most[other])
   blocks.stand[one] = min(blocks.stand[one], blocks.stand[other])

@@ -25,7 +25,8 @@ local floor, max, min = math.floor, math.max, math.min
 
 -- Share of the smaller size from which on two that would end inside each other are torn.
 local TORN = 0.25
--- Maximum number of impacts in a step of a body that overlaps others and has no room.
+-- Maximum number of impacts in a step of a body that overlaps others and has no room. (Without it a
+-- piston that presses 250 boxes takes three times as long.)
 local SPENT = 2
 -- Maximum number of paths in `b.hulls`, with which later impacts of a round are compared.
 local BOUNCED = 256
