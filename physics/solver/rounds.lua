@@ -174,8 +174,8 @@ local function happen(b, n, dt, isLast, isLate)
   local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
   local isRound = b.hasRound and ball.isRound(b, i, j)
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
+  local areEqual = b.kind[i] == b.kind[j] and b.power[i] == b.power[j]
+  if b.passing[p] or areEqual and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
   local mayBounce, isNoted = max(b.restitution[i], b.restitution[j]) > 0, b.hasBounces
