@@ -3,7 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "25271037772790",
-  games5000001 = "698371918",
+  games5000001 = "1793423152",
   games5000004 = "1224682083",
   games5000009 = "779223563",
   snap = "60952533062966",
