@@ -109,6 +109,9 @@ function Trial:update(act)
     local other = self[role]
     if other then
       other:act(act)
+      if role == "twin" then
+        other.world:hash() -- which reads it, as the other two were for their hashes
+      end
       name, text = compare(role, self.tried, other, self.hasTwinStepped)
       if name then
         return name, text

@@ -217,12 +217,17 @@ describe("a case that fails", function()
   end)
 end)
 
+-- Seeds that have failed once: balls that a hit left in each other; a crowd in a round pillar, and in
+-- the player that presses it there.
+local FOUND = { marbles = { 1110, 1236, 1, 2 }, survivors = { 30, 33, 68, 74 } }
+
 -- 2000 of each: `make games GAMES=2000`.
 describe("games of the kinds that are made show nothing that a player would notice:", function()
   for _, kind in ipairs(games.kinds) do
     local play = kind == "survivors" and long or it
     play(kind, function()
-      for seed = 1, effort.share(4) do
+      for n = 1, effort.share(4) do
+        local seed = FOUND[kind] and FOUND[kind][n] or n
         local failure = games.play(kind, seed, 300)
         assert(
           not failure,
