@@ -2,8 +2,10 @@
 --- Move: computes the path of every body in this step from its free flight and its carrier, as if
 -- nothing were in the way.
 --
--- Air friction, drag and limits are in forces.lua. From here until objects/write.lua all velocities
--- are absolute. The velocity of a carrier is added here and taken off there.
+-- The acceleration of a body is `path.pullOf`: gravity (readFields.pull), what zones do
+-- (zones.run), its own `ax, ay`. Air friction, drag and limits are in forces.lua. From here until
+-- objects/write.lua all velocities are absolute. The velocity of a carrier is added here and taken
+-- off there.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carriers = require(root .. ".motion.carriers")
@@ -36,13 +38,14 @@ local function findFlights(b, dt, first, last)
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1
     if kind[i] == DYNAMIC and isFree[i] and air[i] == 0 then
-      -- (The usual case: without a compiler a call would cost more than the work.)
+      -- (The usual case: without a compiler a call would cost more than the work. So `path.pullOf`
+      -- is written out here: pull + push.)
       local x, y = velocity[k], velocity[m]
       local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
       speed[k], speed[m] = endX, endY
       way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
     elseif kind[i] == DYNAMIC then
-      forces.flight(b, i, pull[k] + push[k], pull[m] + push[m], dt)
+      forces.flight(b, i, dt)
     end
   end
 end

@@ -145,7 +145,7 @@ end
 -- Ends the slip of bond n if friction would have reversed it. If the lower body is not moved by
 -- that, it is ground for the upper one from now on, else both share their momentum. Returns whether
 -- the slip has ended.
-local function stick(b, list, n)
+local function endSlip(b, list, n)
   local up, low, speed, outset = list.up[n], list.low[n], b.speed, b.outset
   local slip, last = outset[up] - outset[low], speed[up] - speed[low]
   if last * list.tug[n] <= 0 then
@@ -199,7 +199,7 @@ function bonds.check(b, contacts, list, mayTear)
   for n = list.count, 1, -1 do
     local up, low, state = list.up[n], list.low[n], list.state[n]
     if state == SLIP then
-      hasChanged = stick(b, list, n) or hasChanged
+      hasChanged = endSlip(b, list, n) or hasChanged
     elseif state == BOND then
       local impulse, isNew = test(b, list, n, need[up], mayTear)
       hasChanged = hasChanged or isNew
