@@ -43,11 +43,20 @@ local ON_LAND = {
     "  --- Called when it has come to stand on something.\n  --- Parameters: (self)\n"
       .. '  { name = "onLand", type = "function", event = "alone" },\n',
   },
+  ["physics/memory/layout.lua"] = {
+    "  carrier = 0, -- slot of what carries it",
+    "  stood = false, -- it stood on something at the end of its last step\n",
+  },
+  ["physics/state/format.lua"] = {
+    '  { "carrier", 1, 0, isLink = true',
+    '  { "stood", 1, false },\n',
+  },
   ["physics/objects/write.lua"] = {
-    "      support[i], news[i] = now, true",
-    "      if now ~= 0 and support[i] == 0 then\n"
-      .. '        events.add(b, "onLand", i, i, false, 0)\n'
-      .. "      end\n",
+    "    if now ~= support[i] then",
+    "    if now ~= 0 and not b.stood[i] then\n"
+      .. '      events.add(b, "onLand", i, i, false, 0)\n'
+      .. "    end\n"
+      .. "    b.stood[i] = now ~= 0\n",
   },
 }
 
@@ -228,6 +237,29 @@ describe("every callback: a new one needs one row, and a place that notices it: 
     end)
   end)
 
+  it("right where the floor is another one, or the world was restored #files", function()
+    with(ON_LAND, function(physics)
+      local count, settings = 0, {}
+      function settings.onLand()
+        count = count + 1
+      end
+      local world, twin = play(physics, settings), physics.newWorld(settings)
+      local function move(y, steps)
+        world:remove(world.objects.floor[1])
+        world:add("floor", { x = 0, y = y, width = 50, height = 10, static = true })
+        for _ = 1, steps do
+          world:update(1 / 60)
+        end
+      end
+      move(10, 9)
+      twin:restore(world:save())
+      twin:update(1 / 60)
+      assert.equal(2, count)
+      move(20, 60)
+      assert.equal(3, count)
+    end)
+  end)
+
   it("saved while it waits, and refused in a state #files", function()
     with(ON_LAND, function(physics)
       local world, state, told
@@ -295,6 +327,34 @@ describe("every field: that of a new shape needs a row that says what it is: it"
       end
       assert.same({ 180, 340 }, { capsule.x, capsule.y })
       assert.equal(wall, capsule.touching.right)
+    end)
+  end)
+
+  -- Two that overlap by less than a quarter of their width, and by more of their height.
+  it("does the same where all is turned #files", function()
+    with(CAPSULE, function(physics)
+      local places = {}
+      for turned, names in ipairs({
+        { "x", "y", "width", "height" },
+        { "y", "x", "height", "width" },
+      }) do
+        local world =
+          physics.newWorld({ gravity = 1200 - 600 * turned, gravityX = 600 * turned - 600 })
+        local function add(group, object, ...)
+          for n, name in ipairs(names) do
+            object[name] = select(n, ...)
+          end
+          return world:add(group, object)
+        end
+        add("floor", { static = true }, -500, 100, 2000, 20)
+        add("capsules", { capsule = true }, 100, 80, 60, 20)
+        local upper = add("capsules", { capsule = true }, 152, 72, 60, 20)
+        for _ = 1, 9 do
+          world:update(1 / 60)
+        end
+        places[turned] = { upper[names[1]], upper[names[2]] }
+      end
+      assert.same(places[1], places[2])
     end)
   end)
 

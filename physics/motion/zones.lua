@@ -112,7 +112,7 @@ local function turn(b, i, j, share)
   replace(b, k + 1, area.gravity or b.pull[k + 1], area.gravity and share or 0.0)
 end
 
--- What zone j does to slot i beyond gravity.
+-- What zone j does to slot i beyond gravity: its `ax, ay` (wind), airFriction, drag and attraction.
 local function push(b, i, j, share, time)
   local pull, air, drag, k, area = b.zonePull, b.zoneAir, b.zoneDrag, 2 * i, b.area[j]
   pull[k] = pull[k] + (area.ax or 0) * share

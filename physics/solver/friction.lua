@@ -6,12 +6,13 @@
 -- what leans on it. All of it goes to the support with the widest common edge. There are two
 -- cases:
 --
--- - Ground is a support that cannot be moved along the surface. The body slides, stops, turns or
---   sticks on it exactly (see flow.lua).
--- - A support that can be moved has a bond with the body (see bonds.lua).
+-- - Ground is a support that cannot be moved along the surface (`addGround`). The body slides,
+--   stops, turns or sticks on it exactly (see flow.lua).
+-- - A support that can be moved has a bond with the body (`bonds.add`).
 --
--- The coefficient of a pair is `friction.coefficient`. Friction of two that meet inside the step
--- is `rub` in impact.lua.
+-- The coefficient of a pair is `friction.coefficient`. It is multiplied into the limit of friction
+-- in four places: these two, and `bear` and `rubBoth` in impact.lua, for two that meet inside the
+-- step. The limit of a contact is one number for the whole step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")

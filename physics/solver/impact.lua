@@ -1,12 +1,14 @@
 ---@diagnostic disable
---- Impacts: computes the paths of two bodies after they meet inside a step.
+--- Impacts: computes the paths of two bodies after they meet inside a step. The rounds call
+-- `impact.run`, in the order of time. Two that stay together (`stick`) are a contact from then on.
 --
 -- Both paths are advanced to the impact. The closing speed and the time left there are computed
 -- backwards from their ends. That is exact for constant acceleration. The two bounce, or go on
 -- flush with a common velocity and are a contact for the rest of the step.
 --
--- The impact also has friction along the other axis (`rub`). Friction of contacts that exist when
--- the step begins is computed in friction.lua.
+-- The impact also has friction along the other axis (`rub`): on ground that of `bear`, between two
+-- that both give way that of `rubBoth`. Friction of contacts that exist when the step begins is
+-- computed in friction.lua.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")

@@ -9,11 +9,13 @@
 -- 2. Free bodies that press each other become blocks with a common velocity (see pool.lua).
 --
 -- For example, a box that touches a wall when the step begins, and is pushed against it, ends flush
--- with it at the speed of the wall. What pushes it is held in the same way. A box that comes to the
--- wall inside the step has an impact (`stick` in impact.lua), and is a contact from then on.
+-- with it (`hold`) at the speed of the wall (`pool.press`). What pushes it is held in the same way.
+-- A box that comes to the wall inside the step has an impact (`stick` in impact.lua), and is a
+-- contact from then on.
 --
 -- heldLow and heldHigh of a body are 0 if it can give way to that side. Otherwise they are 1 plus
--- the number of contacts between it and the immovable body that holds it there.
+-- the number of contacts between it and the immovable body that holds it there. So a wall has 1 on
+-- both sides.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -30,7 +32,8 @@ local ATTEMPTS = 5
 -- is not squeezed into the wall.
 local FAR = 1000
 
--- Resets an axis: no movable body is held yet.
+-- Resets an axis: no movable body is held yet. (What is static is not in the list. Its columns are 1
+-- from the beginning, see memory/layout.)
 local function release(b, axis)
   local list, give, heldLow, heldHigh = b.awakeList, b.give, b.heldLow, b.heldHigh
   local squeezed = b.squeezed
