@@ -160,3 +160,14 @@ for _, path in ipairs(PAGES) do
     end)
   end)
 end
+
+it("ARCHITECTURE and CONTRIBUTING name functions and columns where they are #files", function()
+  local pages = snippets.read("ARCHITECTURE.md") .. snippets.read("CONTRIBUTING.md")
+  for name, file in pages:gmatch("`([%w_.]+)` [io][nf]%s+`([%w/]+%.lua)`") do
+    local text, word = "", "%f[%w_]" .. name:gsub("%.", "%%.") .. "%f[^%w_]"
+    for _, path in ipairs(files.list("find ./physics* -path '*/" .. file .. "'")) do
+      text = text .. snippets.read(path)
+    end
+    assert.is_truthy(text:find(word), name .. " in " .. file)
+  end
+end)
