@@ -163,16 +163,15 @@ end
 
 -- What must be said; of long texts and of numbers beyond the limits only how it begins.
 local function messageFor(place, row, value)
-  local words, hint = wordsOf(row), ""
+  local words = wordsOf(row)
   if value == INF or value == -INF then
     words = words:gsub("^a number", "a finite number")
-    hint = row.infinite and value == INF and " (" .. row.infinite .. ")" or ""
   elseif type(value) == "string" and #value > 40 then
     return place .. row.name .. " must be " .. words .. ", got "
   elseif row.type == "number" and shown(value):find("e[+-]") then
     return place .. row.name .. " must be a number"
   end
-  return place .. row.name .. " must be " .. words .. ", got " .. shown(value) .. hint
+  return place .. row.name .. " must be " .. words .. ", got " .. shown(value)
 end
 
 -- Puts a value into a field or setting at a place. If it is refused, everything is as it was.

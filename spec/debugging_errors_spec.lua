@@ -153,7 +153,7 @@ describe("every function: an error", function()
     { { y = NAN, width = -1, friction = "x" }, ".y must be a number, got nan" }, -- the first one
     {
       { slope = "left" },
-      '.slope must be nil for a dynamic object, got "left" (set static = true or kinematic = true)',
+      '.slope must be nil for a dynamic object (set static = true or kinematic = true), got "left"',
     },
   }) do
     it("of an object says: " .. row[2], function()
@@ -346,7 +346,7 @@ describe("every function: a call", function()
   -- what is said, the method, its arguments
   for _, row in ipairs({
     { ADD .. group .. "nil", "add", nil, object() },
-    { ADD .. group .. "table (the group comes first, then the object)", "add", {}, object() },
+    { ADD .. group .. "table", "add", {}, object() },
     { ADD .. group .. "nan", "add", NAN, object() },
     { ADD .. "object must be a table, got nil", "add", "boxes" },
     { ADD .. "the object already stands at objects.boxes[1]", "add", "crates", BOX },

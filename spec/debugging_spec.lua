@@ -35,7 +35,6 @@ end
 local BY_HAND = ": a static object is read only once, so call world:refresh(object)"
 local ONE_WAY = ": one-way objects are static or kinematic; a dynamic one falls through the floor"
 local NOTHING = " refuses nothing: true collides, as nil does, and false passes through"
-local OF_CLASS = ", but its class has it: set it in the object"
 
 -- What makes it fine: masks of groups that may be still to come, a mask that is switched.
 local LATER = { masks = { coins = { bullets = false }, [7] = { floors = false } } }
@@ -44,10 +43,6 @@ local SWITCHED = { masks = { men = { floors = false, coins = true }, boxes = {} 
 local ONLY_TRUE = { men = { floors = false }, boxes = { coins = true } }
 local REFUSES = { mask = { men = true, floors = false } }
 local MACHINE = { kinematic = true }
-
-local function class(fields)
-  return setmetatable({}, fields) -- without __index: its fields are not the object's
-end
 
 describe("checked", function()
   for name, value in pairs({
@@ -156,15 +151,7 @@ describe("checked", function()
       'mask = { ["men"] = true }' .. NOTHING .. ' (did you mean hits = { "men" }?)',
       REFUSES,
     },
-    { "new", class({ static = true }), "static is nil" .. OF_CLASS, { static = false } },
-    {
-      "new",
-      { class = { static = true } },
-      "static is nil" .. OF_CLASS,
-      { class = { static = {} } },
-    },
     { "new", { static = true, kinematic = true }, COUNTS },
-    { "new", { static = true, vx = 5 }, "vx must be nil, got 5: a static object never moves" },
     {
       "new",
       { surfaceSpeed = 9 },
@@ -175,7 +162,7 @@ describe("checked", function()
       local world, _, box = newWorld()
       local object = row[1] == "box" and box or world
       if row[1] == "new" then
-        object = setmetatable({ x = 50, y = 0, width = 5, height = 5 }, getmetatable(row[2]))
+        object = { x = 50, y = 0, width = 5, height = 5 }
         world.objects.others = { object }
       end
       local before = {}
@@ -188,9 +175,6 @@ describe("checked", function()
       end
       for name, value in pairs(row[4] or {}) do
         object[name] = value
-      end
-      if row[1] == "new" and not row[4] then
-        setmetatable(object, nil)
       end
       world:refresh(object == world and box or object)
       world:update(DT)
