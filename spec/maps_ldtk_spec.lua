@@ -35,21 +35,21 @@ describe("world:loadLDtk", function()
   local WHOLE, FLOOR = "Collisions 0 32 80 16 static", "Collisions 0 32 48 16 static"
   local LADDERS = "Collisions 0 0 16 32 static"
   for i, row in ipairs({
-    { VALUES, { dirt = true, [3] = true }, WHOLE, 'option solid: "dirt", "stone"' },
-    { VALUES, { dirt = true, [3] = false }, FLOOR, 'option solid: "dirt"' },
+    { VALUES, { dirt = true, [3] = true }, WHOLE, "option solid" },
+    { VALUES, { dirt = true, [3] = false }, FLOOR, "option solid" },
     {
       VALUES,
       { dirt = true, ladder = LADDER, stone = FIELDS },
       "ladders 0 0 16 32 sensor static; "
         .. FLOOR
         .. "; Collisions 48 32 32 16 friction=0.9 material=stone static",
-      'option solid: "dirt", "ladder", "stone"',
+      "option solid",
     },
-    { { "Walls", "water", "ground" }, nil, WHOLE, 'its values "Walls", "ground"' },
-    { { "a", "decor", "b" }, nil, WHOLE, 'its values "a", "b"' },
-    { VALUES, nil, LADDERS .. "; " .. WHOLE, 'its values "dirt", "ladder", "stone"' },
-    { { false, false, false }, nil, LADDERS .. "; " .. WHOLE, "its values 1, 2, 3" },
-    { {}, nil, LADDERS .. "; " .. WHOLE, "its values 2, 1, 3" },
+    { { "Walls", "water", "ground" }, nil, WHOLE, "its values" },
+    { { "a", "decor", "b" }, nil, WHOLE, "its values" },
+    { VALUES, nil, LADDERS .. "; " .. WHOLE, "its values" },
+    { { false, false, false }, nil, LADDERS .. "; " .. WHOLE, "its values" },
+    { {}, nil, LADDERS .. "; " .. WHOLE, "its values" },
   }) do
     it(("makes cells solid, %d: %s"):format(i, row[4]), function()
       local level, world = load(newProject(row[1], {}), nil, { solid = row[2] })

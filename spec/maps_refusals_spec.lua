@@ -209,8 +209,8 @@ end)
 describe("world:loadLDtk refuses", function()
   local levels = "level must be the identifier, iid or number of a level, got %s; they are"
   for _, row in ipairs({
-    { nil, nil, "project must be a decoded LDtk project, got nil" },
-    { "a.ldtk", nil, 'project must be a decoded LDtk project, got "a.ldtk"' },
+    { nil, nil, "project must be a table, got nil" },
+    { "a.ldtk", nil, 'project must be a table, got "a.ldtk"' },
     { {}, nil, "project.levels must be a table, got nil" },
     { ldtk.cave(), "Attic", levels:format('"Attic"') .. ' "Cave", "Top"' },
     { ldtk.cave(), 3, levels:format("3") .. ' "Cave", "Top"' },
@@ -227,8 +227,8 @@ describe("world:loadLDtk refuses", function()
     { "pxWid", 0, "level.pxWid must be a number > 0, got 0" },
     { "layerInstances.2.__pxTotalOffsetX", NAN, C .. "the right edge must be a number, got nan" },
     { "layerInstances.2.__gridSize", 0, C .. "width must be a number > 0, got 0" },
-    { "layerInstances.2.intGridCsv.15", NONE, C .. "intGridCsv[15] must be an integer >= 0, …" },
-    { "layerInstances.2.intGridCsv.4", -1, C .. "intGridCsv[4] must be an integer >= 0, got -1" },
+    { "layerInstances.2.intGridCsv", {}, C .. "#intGridCsv must be an integer in …" },
+    { "layerInstances.2.intGridCsv.4", -1, C .. "the cell at column 3, row 0 must be 0 or …" },
     { "layerInstances.1.entityInstances", NONE, 'layer "Entities": the map is damaged: …' },
     { entity .. ".width", 0, E .. "width must be a number > 0, got 0" },
     { entity .. ".px", NONE, E .. "the map is damaged: …" },
