@@ -82,9 +82,9 @@ describe("world:loadTiled refuses", function()
     { "tilesets.1.firstgid", "a", "the map is damaged: …" },
     { "layers.1", 5, "layers[1] must be a table, got 5" },
     { "layers.1.name", NONE, "the name of a layer must be a string, got nil" },
-    { data .. ".4", NONE, G .. "data must hold 4 gids (2 x 2), got 3" },
+    { data .. ".4", NONE, G .. "#data must be an integer in 4..4, got 3" },
     { data, NONE, G .. "data must be a table, got nil" },
-    { "layers.2.layers.1.width", 3, G .. "data must hold 6 gids (3 x 2), got 4" },
+    { "layers.2.layers.1.width", 3, G .. "#data must be an integer in 6..6, got 4" },
     { data .. ".2", 17, tile:gsub("gid,", "gid of one of the tilesets,") .. "17" },
     { data .. ".2", -1, tile .. "-1" },
     {
@@ -95,7 +95,7 @@ describe("world:loadTiled refuses", function()
     {
       "layers.2.layers.1.chunks",
       { { x = 0, y = 0, width = 2, height = 1, data = { 1 } } },
-      'layer "ground", chunk 1: data must hold 2 gids (2 x 1), got 1',
+      'layer "ground", chunk 1: #data must be an integer in 2..2, got 1',
     },
     { "layers.2.properties", 5, 'layer "all": properties must be a table, got 5' },
     {
@@ -287,8 +287,11 @@ describe("world:addTiles refuses", function()
     { { "tiles", 5, 1, 10 }, "cells must be a table, got 5" },
     { { "tiles", { 1 }, nil, 10 }, columns .. "nil" },
     { { "tiles", { { 1 } }, "1", 10 }, columns .. '"1"' },
-    { { "tiles", { 1, 2, 3 }, 2, 10 }, "cells must hold whole rows of 2, got 3 cells" },
-    { { "tiles", { { 1, 2 } }, 1, 10 }, "cells[1] must hold at most 1 cells, got 2" },
+    {
+      { "tiles", { 1, 2, 3 }, 2, 10 },
+      "#cells / columns must be an integer in 0..1000000, got 1.5",
+    },
+    { { "tiles", { { 1, 2 } }, 1, 10 }, "#cells[1] must be an integer in 0..1, got 2" },
     { { "tiles", { { 1 }, 5 }, 1, 10 }, "cells[2] must be a row, got 5" },
     { { "tiles", { 1, {} }, 2, 10 }, "the cell at column 2, row 1 must …" },
     { { "tiles", { 1 }, 1 }, "size must be a number > 0, got nil" },

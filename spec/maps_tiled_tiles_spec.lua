@@ -296,8 +296,8 @@ describe("world:loadTiled, packed layers", function()
   for expected, row in pairs({
     ['data must be base64, got "AAA"'] = { packed(nil, "AAA") },
     ['data must be base64, got "AA$="'] = { packed(nil, "AA$=") },
-    ["data must hold 288 gids (24 x 12), got 0"] = { packed(nil, "") },
-    ["data must hold 288 gids (24 x 12), got 1"] = { packed("zlib", "AAAAAA=="), same },
+    ["#data must be an integer in 288..288, got 0"] = { packed(nil, "") },
+    ["#data must be an integer in 288..288, got 1"] = { packed("zlib", "AAAAAA=="), same },
     ["the cell at column 0, row 0 must be a gid of one of the tilesets, got 9999"] = {
       packed(nil, (PLAIN.layers[1].data:gsub("^AQAAAAAA", "DycAAAAA"))),
     },
