@@ -8,8 +8,8 @@ local BUDGET = {
   { "physics.lua", 94 },
   { "physics/broadphase", 650 },
   { "physics/contacts", 399 },
-  { "physics/fields", 680 },
-  { "physics/maps", 2238 },
+  { "physics/fields", 654 },
+  { "physics/maps", 2204 },
   { "physics/memory", 837 },
   { "physics/motion", 977 },
   { "physics/objects", 1187 },
@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/solver", 3909 },
   { "physics/space", 393 },
   { "physics/state", 882 },
-  { "physics/world", 1413 },
+  { "physics/world", 1404 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
