@@ -284,7 +284,7 @@ describe("slope and radius: a marble run", function()
   for _, rate in ipairs(effort.isWhole and { 60, 144 } or { 60 }) do
     long(("of 60 balls runs at %d Hz, with none lifted"):format(rate), function()
       local world, ground, balls = newRun(rate)
-      for _ = 1, effort.share(rate == 60 and 100 or 50, 20) do
+      for _ = 1, effort.share(rate == 60 and 60 or 50) do
         local ball = lowest(balls)
         ball.x, ball.y, ball.vx, ball.vy = 10, 60, 0, 0
         each(0.4, rate, world, function() end)

@@ -218,7 +218,7 @@ describe("radius: a heap of balls", function()
   long("is the same with and without rest, and restored", function()
     -- Half a second after the last one has come down, if it is a selection.
     local hashes, seconds = {}, effort.isWhole and 6 or 2
-    for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
+    for n, settings in ipairs({ {}, { rest = false, broadphase = "pairs" } }) do
       local world = newHeap("poured", 5, settings)
       run(world, seconds)
       hashes[n] = world:hash()
@@ -227,8 +227,8 @@ describe("radius: a heap of balls", function()
     run(world, seconds / 2)
     other:restore(world:save())
     run(other, seconds / 2)
-    hashes[4] = other:hash()
-    assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
+    hashes[3] = other:hash()
+    assert.are.same({ hashes[1], hashes[1], hashes[1] }, hashes)
   end)
 
   it("goes on in the same way if it is restored among boxes", function()
@@ -380,8 +380,7 @@ describe("radius: a heap of balls", function()
   end)
 
   long("bears a crate, and lies on boxes", function()
-    local world = newHeap("columns", 3)
-    run(world, 4)
+    local world = newSettled()
     local crate = world:add("boxes", { x = 60, y = 0, width = 40, height = 20, mass = 20 })
     run(world, 6)
     assert.are.equal(COUNT + 1, world.stats.resting)
