@@ -154,8 +154,8 @@ describe("checked", function()
     { "new", { static = true, kinematic = true }, COUNTS },
     {
       "new",
-      { surfaceSpeed = 9 },
-      "surfaceSpeed must be nil, got 9: belts are static or kinematic",
+      { surfaceSpeed = 1 },
+      "surfaceSpeed must be nil, got 1: belts are static or kinematic",
     },
   }) do
     it("refuses: " .. PLACES[row[1]] .. row[3], function()

@@ -104,6 +104,22 @@ describe("area: a zone", function()
     { "square", 1, 0.5 },
   })
 
+  -- A body that reaches 20 of its 30 px into a disc of 100 px, below and beside its middle.
+  local DISC = zone({ ax = 1 }, { y = 0, width = 100, height = 100, radius = 50 })
+  play.row(
+    "area.ax acts by the share of a body in a disc: {width} by {height} px",
+    ONCE,
+    function(v)
+      return { gravity = 0, DISC, body(v) }
+    end,
+    { "run:step(1e-3)", "body.vx / 1e-3 ~ 2 / 3, 1e-6" },
+    {
+      "x, y, width, height",
+      { 45, 80, 10, 30 },
+      { 80, 45, 30, 10 },
+    }
+  )
+
   local CALM = zone({ gravity = 0, attract = 4000, law = "square", airFriction = 20 }, ROUND)
   play.row("area.attract is calm in the centre", ONCE, { CALM, body({ y = 300 }) }, {
     4,

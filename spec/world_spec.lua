@@ -118,6 +118,21 @@ describe("world:shift", function()
     end
   end)
 
+  -- Through the wall the way out would be shorter.
+  it(
+    "takes along what has grown through a wall, which leaves it on the side where it stood",
+    function()
+      local world = still()
+      world:add("walls", box(50, -100, 4, 300, { static = true }))
+      local one = world:add("men", box(30, 50, 16, 16))
+      world:update(DT)
+      one.width = 60
+      world:shift(300, -200)
+      small.run(world, 10)
+      assert.near(290, one.x, 1e-6)
+    end
+  )
+
   it("takes along interpolation, tiles, and tiles that wait", function()
     local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
     local tiles = world:addTiles("earth", { "####", "####" }, nil, 16, { y = 100 })
