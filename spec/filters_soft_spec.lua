@@ -73,6 +73,15 @@ describe("soft: objects", function()
     assert.is_true(b.x - a.x > 14)
   end)
 
+  it("that drift towards what strikes them get its speed", function()
+    for _, row in ipairs({ { "a", 79, 500 }, { "b", 131, -500 } }) do
+      local world, a, b = pair()
+      world:add("shots", box(row[2], 0, { vx = row[3], mass = 1e6 }))
+      run(world, 1)
+      assert.near(row[3], (row[1] == "a" and a or b).vx, 1)
+    end
+  end)
+
   it("touch nothing and hear of nothing", function()
     local heard = 0
     local function hear()
