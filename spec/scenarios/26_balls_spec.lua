@@ -249,44 +249,6 @@ describe("radius: a ball", function()
     end
   end)
 
-  local function checkHeap(seed, restitution)
-    local world, random = physics.newWorld({ gravity = 800 }), newRandom(seed)
-    addRoom(world, 160, 400)
-    for i = 0, 59 do
-      local radius = random:between(7, 10)
-      local x = 14 + (i % 6) * 25 + random:between(0, 4)
-      local object = ball(x, 20 + (i - i % 6) / 6 * 26, radius, { restitution = restitution })
-      world:add("balls", object)
-    end
-    local most = 0
-    for _ = 1, 480 do
-      world:update(1 / 60)
-      most = math.max(most, select(2, depths(world)))
-    end
-    assert.is_true(most < 1, most) -- px in a wall, in the fall
-    local ofBalls, ofWalls = depths(world)
-    -- What has fallen into each other has no room to part in a heap (docs/reliability.md).
-    assert.is_true(ofBalls < 1 and ofWalls < 1e-6, ofBalls .. " " .. ofWalls)
-    local before = {}
-    for n, b in ipairs(world.objects.balls) do
-      before[n] = { b.x, b.y }
-      assert.is_true(b.x > -1 and b.y > -1 and b.x + b.width < 161 and b.y + b.height < 401)
-    end
-    run(world, 1)
-    for n, b in ipairs(world.objects.balls) do
-      near(before[n][1], b.x, 0.05)
-      near(before[n][2], b.y, 0.05)
-    end
-  end
-
-  it("a heap of them comes to rest, and none gets through a wall", function()
-    for seed, restitution in ipairs({ 0, 0.3 }) do
-      if effort.plays(seed, 2) then
-        checkHeap(seed, restitution)
-      end
-    end
-  end)
-
   it("is what world:move and world:sweep see", function()
     local world = physics.newWorld({ gravity = 0 })
     world:add("stones", ball(100, 100, 20, { static = true }))
@@ -351,25 +313,6 @@ describe("radius: a ball", function()
     run(other, 2)
     hashes[4] = other:hash()
     assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
-  end)
-end)
-
-describe("radius and slope: a ball on a slope", function()
-  -- Its rim is on the line all the way, at g sin a along it.
-  it("touches it with its rim, and rolls", function()
-    for _, rate in ipairs(RATES) do
-      for _, height in ipairs({ 100, 300, 600 }) do
-        local world, slant =
-          physics.newWorld({ gravity = 800 }), math.sqrt(300 * 300 + height * height)
-        world:add("walls", tile(0, 0, 300, height, { slope = "left" }))
-        local one =
-          world:add("balls", ball(20 + 8 * height / slant, 20 * height / 300 - 8 * 300 / slant, 8))
-        run(world, 0.5, rate)
-        local x, y = one.x + 8, one.y + 8
-        near(8, (x * height - y * 300) / slant, 1e-5)
-        near(400 * height / slant, math.sqrt(one.vx * one.vx + one.vy * one.vy), 5e-3)
-      end
-    end
   end)
 end)
 

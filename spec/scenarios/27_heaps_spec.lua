@@ -3,7 +3,9 @@
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local run = require("spec.support.small").play
+local small = require("spec.support.small")
+
+local run = small.play
 
 local long = effort.isFirst and it or pending
 local COUNT = effort.isWhole and 60 or 36 -- balls of a heap
@@ -101,11 +103,11 @@ local function gapOf(one, other)
   return distance - one.radius - other.radius, x / distance, y / distance
 end
 
--- The deepest overlap of two balls, and the deepest one of a ball and the room.
-local function depths(balls)
+-- The deepest overlap of two balls, and the deepest one of a ball and a room so wide.
+local function depths(balls, width)
   local ofBalls, ofRoom = 0, 0
   for n, one in ipairs(balls) do
-    ofRoom = math.max(ofRoom, -one.x, one.x + one.width - 360, one.y + one.height - 400)
+    ofRoom = math.max(ofRoom, -one.x, one.x + one.width - width, one.y + one.height - 400)
     for m = 1, n - 1 do
       ofBalls = math.max(ofBalls, -gapOf(one, balls[m]))
     end
@@ -155,7 +157,14 @@ describe("radius: a heap of balls", function()
     it("comes to rest: " .. kind, function()
       for seed = 1, effort.share(4) do
         local world = newHeap(kind, seed)
-        run(world, 10)
+        small.run(world, 600, 60, function(n)
+          if n % 20 == 0 and kind ~= "mixed" then
+            local ofBalls, ofRoom = depths(world.objects.balls, 160)
+            assert.is_true(ofRoom < 1, ofRoom) -- px in a wall, in the fall
+            -- What has fallen into each other has no room to part (docs/reliability.md).
+            assert.is_true(n < 600 or ofBalls < 1 and ofRoom < 1e-6, ofBalls)
+          end
+        end)
         assert.are.equal(COUNT, world.stats.resting)
         local hash = world:hash()
         run(world, 1)
@@ -179,13 +188,13 @@ describe("radius: a heap of balls", function()
           if steps % 3 > 0 then
             return
           end
-          local ofBalls, ofRoom = depths(balls)
+          local ofBalls, ofRoom = depths(balls, 360)
           deepest, inRoom = math.max(deepest, ofBalls), math.max(inRoom, ofRoom)
         end
         local balls = pour(world, seed, row[1], look)
         run(world, 5, row[1])
         assert.are.equal(100, world.stats.resting)
-        local ofBalls, hanging = depths(balls), 0
+        local ofBalls, hanging = depths(balls, 360), 0
         for _, one in ipairs(balls) do
           hanging = hanging + (isBorne(balls, one) and 0 or 1)
         end
@@ -215,7 +224,7 @@ describe("radius: a heap of balls", function()
     assert.are.equal(300, world.stats.resting)
   end)
 
-  long("is the same with and without rest, and restored", function()
+  long("is the same with rest, and with pairs and without rest", function()
     -- Half a second after the last one has come down, if it is a selection.
     local hashes, seconds = {}, effort.isWhole and 6 or 2
     for n, settings in ipairs({ {}, { rest = false, broadphase = "pairs" } }) do
@@ -223,12 +232,7 @@ describe("radius: a heap of balls", function()
       run(world, seconds)
       hashes[n] = world:hash()
     end
-    local world, other = newHeap("poured", 5), physics.newWorld()
-    run(world, seconds / 2)
-    other:restore(world:save())
-    run(other, seconds / 2)
-    hashes[3] = other:hash()
-    assert.are.same({ hashes[1], hashes[1], hashes[1] }, hashes)
+    assert.are.equal(hashes[1], hashes[2])
   end)
 
   it("goes on in the same way if it is restored among boxes", function()
