@@ -182,6 +182,10 @@ describe("newWorld(settings)", function()
   for _, row in ipairs({
     { 800, "settings must be a table, got 800" },
     { { soft = { a = { b = -1 } } }, "soft.a.b must be a number in 0..1000000, got -1" },
+    { { soft = { a = { b = true } } }, "soft.a.b must be a number in 0..1000000, got true" },
+    { { soft = { a = 5 } }, "soft.a must be a table { [group] = px/s }, got 5" },
+    { { soft = { [true] = {} } }, "soft must have group names as keys, got true" },
+    { { soft = { a = { [true] = 1 } } }, "soft.a must have group names as keys, got true" },
     { { order = { 1, NAN } }, "order[2] must be a group name, got nan" },
     { { masks = { a = { b = "no" } } }, 'masks.a.b must be true or false, got "no"' },
     { { masks = { [1] = { ["my b"] = 0 } } }, 'masks[1]["my b"] must be true or false, got 0' },

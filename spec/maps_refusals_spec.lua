@@ -3,6 +3,7 @@
 
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
+local small = require("spec.support.small")
 local tiled = require("spec.support.tiled")
 
 local NAN, NONE = 0 / 0, {}
@@ -334,11 +335,7 @@ describe("world:addTiles refuses", function()
       ["load(count): count must be an integer in 1..1000000000, got 0"] = { "load", tiles, 0 },
       ["getTile(column, row) must be called with a colon on tiles, got 1"] = { "getTile", 1, 1 },
     }) do
-      local isDone, message = pcall(function()
-        tiles[call[1]](call[2], call[3], call[4], call[5])
-      end)
-      assert.is_false(isDone)
-      assert.equal("tiles:" .. expected, message:match("refusals_spec%.lua:%d+: physics: (.*)$"))
+      small.refuses("tiles:" .. expected, tiles[call[1]], call[2], call[3], call[4], call[5])
     end
     assert.equal(1, #world.objects.tiles)
   end)

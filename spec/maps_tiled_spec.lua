@@ -334,9 +334,7 @@ describe("world:loadTiled, words", function()
         { entry.kind, entry.layer, entry.id, entry.reason }
       )
       assert.equal(given.layers[1].objects[1], entry.object)
-      local isDone, message = pcall(load, given, { strict = true })
-      assert.is_false(isDone)
-      assert.truthy(message:find('layer "things", object 7: ' .. row[3], 1, true), message)
+      small.refuses('layer "things", object 7: ' .. row[3], load, given, { strict = true })
       assert.same({}, load(given, { ignore = { row[1] }, strict = true }).unsupported)
     end)
   end

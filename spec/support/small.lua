@@ -39,6 +39,13 @@ function small.still(settings)
   return world
 end
 
+--- Fails unless a call is refused with these words, blaming a line of spec/.
+function small.refuses(words, call, ...)
+  local isTaken, message = pcall(call, ...)
+  local text = not isTaken and message:match("spec[/\\].-%.lua:%d+: physics: (.*)$")
+  assert(text and text:find(words, 1, true), isTaken and "not refused: " .. words or message)
+end
+
 --- Makes `count` steps of 1 / rate s, and calls `each(n)` after the n-th.
 ---@param count? number default 60
 ---@param rate? number default 60
