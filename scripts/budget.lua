@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1187 },
   { "physics/queries", 791 },
   { "physics/sleep", 80 },
-  { "physics/solver", 3909 },
+  { "physics/solver", 3908 },
   { "physics/space", 393 },
   { "physics/state", 882 },
   { "physics/world", 1404 },

@@ -73,4 +73,40 @@ return {
     "if pull < brake and -pull <= brake then",
     "a pull that is just as strong moves nothing in the other way, either",
   },
+  {
+    "physics/queries/obstacle.lua",
+    "local key = (moment * 2 + (isCorner and 1 or 0)) * 2 + (axis ~= down and 1 or 0)",
+    "local key = (moment * 2 + (isCorner and 1 or 0)) * 3 + (axis ~= down and 1 or 0)",
+    "the order of such numbers is the same",
+  },
+  {
+    "physics/queries/move.lua",
+    "journey.x, journey.y, journey.start, journey.rest = c.position[2 * i], c.position[2 * i + 1], 0, 0",
+    "journey.x, journey.y, journey.start, journey.rest = c.position[2 * i], c.position[2 / i + 1], 0, 0",
+    "what is moved is the first of its catch",
+  },
+  {
+    "physics/state/restore.lua",
+    "b[hint] = b[hint] or #list > 0",
+    "b[hint] = b[hint] or #list > 1",
+    "a list has two numbers or more, or none",
+  },
+  {
+    "physics/broadphase/gridLines.lua",
+    "return max(enters, max(enters - leaves, -leaves) * VAST)",
+    "return min(enters, max(enters - leaves, -leaves) * VAST)",
+    "more is visited, and a visit looks exactly",
+  },
+  {
+    "physics/solver/ball.lua",
+    "local newI, newJ = pool.share(b.power[i] > b.power[j], wi, wj, vi, vj)",
+    "local newI, newJ = pool.share(b.power[i] >= b.power[j], wi, wj, vi, vj)",
+    "it is called only where they differ",
+  },
+  {
+    "physics/solver/pool.lua",
+    "local yields = isEven and b.rank[floor(one * 0.5)] < b.rank[floor(other * 0.5)]",
+    "local yields = isEven and b.rank[floor(one * 0.5)] <= b.rank[floor(other * 0.5)]",
+    "no two have one rank",
+  },
 }

@@ -35,7 +35,6 @@ local function stands(b, i)
     and b.kind[i] == DYNAMIC
     and not (b.sensor[i] or b.buried[i])
     and shapes.isBox[b.shape[i]]
-    and b.crowd[2 * i] <= 0
     and b.velocity[k] * b.down[k] >= 0
 end
 

@@ -176,20 +176,20 @@ describe("x, vx and pushable: a crowd", function()
   end)
 
   -- count of boxes of 10 px; width and height of the room around them; columns and rows
-  for _, row in ipairs({ { 9, 900, 900, 3, 3 }, { 12, 900, 25, 6, 2 }, { 12, 25, 900, 2, 6 } }) do
-    local count, width, height, columns, rows = row[1], row[2], row[3], row[4], row[5]
+  for _, given in ipairs({ { 9, 900, 900, 3, 3 }, { 12, 900, 25, 6, 2 }, { 12, 25, 900, 2, 6 } }) do
+    local count, width, height, columns, rows = given[1], given[2], given[3], given[4], given[5]
     it(
       ("at one spot, %d in %d by %d px, lies in %d columns"):format(count, width, height, columns),
       function()
         local world, cells = physics.newWorld({ gravity = 0 }), {}
         world:setBounds(-width / 2, -height / 2, width, height)
-        for n = 1, count do
+        for _ = 1, count do
           world:add("bodies", { x = -5, y = -5, width = 10, height = 10 })
         end
         for _ = 1, 60 do
           world:update(1 / 60)
         end
-        for n, body in ipairs(world.objects.bodies) do
+        for _, body in ipairs(world.objects.bodies) do
           local column, line = body.x / 10 + columns / 2, body.y / 10 + rows / 2
           cells[1 + math.floor(column + 0.5) + columns * math.floor(line + 0.5)] = true
           assert.near(math.floor(column + 0.5), column, 1e-6)
