@@ -81,8 +81,10 @@ return {
   },
   {
     "physics/queries/move.lua",
-    "journey.x, journey.y, journey.start, journey.rest = c.position[2 * i], c.position[2 * i + 1], 0, 0",
-    "journey.x, journey.y, journey.start, journey.rest = c.position[2 * i], c.position[2 / i + 1], 0, 0",
+    "journey.x, journey.y, journey.start, journey.rest = "
+      .. "c.position[2 * i], c.position[2 * i + 1], 0, 0",
+    "journey.x, journey.y, journey.start, journey.rest = "
+      .. "c.position[2 * i], c.position[2 / i + 1], 0, 0",
     "what is moved is the first of its catch",
   },
   {
