@@ -74,12 +74,6 @@ return {
     "a pull that is just as strong moves nothing in the other way, either",
   },
   {
-    "physics/queries/obstacle.lua",
-    "local key = (moment * 2 + (isCorner and 1 or 0)) * 2 + (axis ~= down and 1 or 0)",
-    "local key = (moment * 2 + (isCorner and 1 or 0)) * 3 + (axis ~= down and 1 or 0)",
-    "the order of such numbers is the same",
-  },
-  {
     "physics/queries/move.lua",
     "journey.x, journey.y, journey.start, journey.rest = "
       .. "c.position[2 * i], c.position[2 * i + 1], 0, 0",
