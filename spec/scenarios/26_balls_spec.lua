@@ -332,13 +332,4 @@ describe("radius and pushable: two balls that cannot be pushed", function()
       end
     end
   end)
-
-  it("lose what they go towards each other along the normal", function()
-    local world = physics.newWorld({ gravity = 0 })
-    local one = world:add("players", ball(10, 10, 10, { pushable = false, vx = 100 }))
-    world:add("others", ball(50, 22, 10, { pushable = false }))
-    run(world, 1)
-    near(36, one.vx, LATER) -- the normal is (0.8, 0.6)
-    near(-48, one.vy, LATER)
-  end)
 end)
