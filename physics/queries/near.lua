@@ -205,21 +205,6 @@ end
 
 -- Catches -----------------------------------------------------------------------------------------
 
-local function readStatic(c, n, i)
-  local b, k, m = c.bodies, 2 * n, 2 * i
-  c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
-  c.size[k], c.size[k + 1] = b.size[m], b.size[m + 1]
-  c.kind[n], c.shape[n] = STATIC, b.shape[i]
-end
-
-local function readPlace(c, n, object)
-  local k, kind = 2 * n, columns.kindOf(object)
-  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
-  c.position[k], c.position[k + 1] = object.x + 0.0, object.y + 0.0
-  c.size[k], c.size[k + 1] = object.width + 0.0, object.height + 0.0
-  c.kind[n], c.shape[n] = kind, shapes.of(object, kind == DYNAMIC)
-end
-
 -- Adds an object to a catch; returns its place there. Of a guest, the slot is 0.
 local function add(c, object, i)
   local b, v, n = c.bodies, c.view, c.count + 1
@@ -230,11 +215,18 @@ local function add(c, object, i)
     c.group[n], c.key[n], c.rank[n] = b.group[i], b.key[i], b.rank[i]
   end
   c.groupName[n] = c.group[n].name
+  local k, m, kind = 2 * n, 2 * i, STATIC
   if i ~= 0 and b.kind[i] == STATIC then
-    readStatic(c, n, i)
+    c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
+    c.size[k], c.size[k + 1], c.shape[n] = b.size[m], b.size[m + 1], b.shape[i]
   else
-    readPlace(c, n, object)
+    -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
+    c.position[k], c.position[k + 1] = object.x + 0.0, object.y + 0.0
+    c.size[k], c.size[k + 1] = object.width + 0.0, object.height + 0.0
+    kind = columns.kindOf(object)
+    c.shape[n] = shapes.of(object, kind == DYNAMIC)
   end
+  c.kind[n] = kind
   return n
 end
 
