@@ -30,6 +30,12 @@ describe("maxFallSpeed", function()
     "man.vy == 100; up.vy ~ -500 + 800 / run.rate; across.vx == 500",
   })
 
+  local GLIDER = { man({ ax = 300, maxFallSpeed = 300, maxSpeed = 500 }) }
+  play.row("leaves to the other axis what maxSpeed allows, at every rate", RATES, GLIDER, {
+    2,
+    "man.vx ~ 400, 1e-9; man.vy ~ 300, 1e-9",
+  })
+
   local RIDES = { lift("lift", 0, 8, 80, 8, { vy = 300 }), man({ maxFallSpeed = 50 }) }
   play.row("changes nothing of what stands, and rides on", RATES, RIDES, {
     { 1, "man.y ~ lift.y - 8", "man.vy == 0" },
