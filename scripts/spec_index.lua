@@ -146,7 +146,7 @@ end
 -- The page ----------------------------------------------------------------------------------------
 
 -- What every name has: its wrong values, its row, and what games have found.
-local GENERAL = { debugging_bad_input = true, fields = true, fuzz_found = true }
+local GENERAL = { debugging_bad_input = true, fields = true, fuzz = true, fuzz_found = true }
 
 local function linkTo(file)
   return ("[%s](%s)"):format(file.name, file.path:gsub("^spec/", ""))
@@ -181,7 +181,11 @@ local function listFiles()
     file.isPage = path:find("^spec/[^/]+$") ~= nil
     files[#files + 1] = file
   end
+  -- Files of pages come first: most of a name is there.
   table.sort(files, function(a, b)
+    if a.isPage ~= b.isPage then
+      return a.isPage
+    end
     return a.name < b.name
   end)
   return files

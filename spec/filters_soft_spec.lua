@@ -168,7 +168,7 @@ describe("soft: objects", function()
     end
   end)
 
-  it("rest when they are apart, and are woken by others", function()
+  it("sleep when they are apart, and are woken by others", function()
     local world, a, b = pair()
     run(world, 600)
     b.x = a.x + 25

@@ -52,7 +52,7 @@ describe("hits", function()
     assert.same({ "enemies", "gems" }, (shoot({ hits = { "gems", "enemies" }, sensor = true })))
   end)
 
-  it("does not outvote a mask, and a mask does not outvote it", function()
+  it("mask and it: neither outvotes the other", function()
     local hits = { "players", "gems" }
     assert.same({ "gems" }, (shoot({ hits = hits, mask = { players = false } })))
     assert.same({ "players" }, (shoot({ hits = hits }, { masks = { gems = { bullets = false } } })))

@@ -31,9 +31,9 @@ describe("world:loadTiled, layers", function()
   local deep = tiled.group(1, "outer", { inner }, { offsetx = 100, offsety = -7.5 })
   local solid = { { id = 0, properties = { solid = true } } }
   local expected = "ground 139 9.75 32 16 static; things 124 -1.25 7 8 sensor static"
-  tiled.row("add up their offsets", map({ deep }, solid), expected, nil, false)
+  tiled.row("have the sum of their offsets", map({ deep }, solid), expected, nil, false)
 
-  it("add up their offsets through STI, too", function()
+  it("have the sum of their offsets through STI, too", function()
     local level, world = load(tiled.sti(map({ deep }, solid), 500, 50))
     assert.same({ "639 59.75 32 16" }, boxes(world, "outer.inner.ground"))
     assert.same({ "624 48.75 7 8" }, boxes(world, "outer.inner.things"))

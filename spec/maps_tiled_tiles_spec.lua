@@ -109,7 +109,7 @@ by a property of another name | ground | #515 | tiles = "word", solidProperty = 
   ground 0 0 16 16 static; ground 32 0 16 16 static
 by their shapes, unless they say no | ground | #5567 | tiles = "low"
   ground 0 8 32 8 static
-static, unless they say otherwise | ground | #17 | tiles = "all"
+solid, unless they say otherwise | ground | #17 | tiles = "all"
   ground 0 0 16 16 static; ground 16 0 16 16 kinematic
 not static, by their layer | ground static:false | #1 | tiles = "all"
   ground 0 0 16 16 static=false

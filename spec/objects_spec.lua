@@ -222,7 +222,7 @@ describe("add, remove and refresh", function()
     assert.equal(2, world.stats.objects)
   end)
 
-  row("refresh makes a static object dynamic and back", { FLOOR, box({ y = 0, static = true }) }, {
+  row("refresh and static: an object is made dynamic and back", { FLOOR, box({ y = 0, static = true }) }, {
     { steps = 10 },
     { "box.static = nil", { steps = 10 }, "box.y == 0" },
     { "world:refresh(box.raw)", 1, "box.y == 84", "box.touching.bottom == floor" },

@@ -222,7 +222,7 @@ describe("friction: known by hand, a box", function()
     end)
   end)
 
-  class("hits one that lies there, and both slide to a stop", MEETING, function(s)
+  class("meets one that lies there, and both slide to a stop", MEETING, function(s)
     local g, r, muA, muB = s:draw(300, 1200, 0.3, 1, 0.05, 0.4, 0.05, 0.4)
     s:floor()
     local gap = s.random:between(5, 60)

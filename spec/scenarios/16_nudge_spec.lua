@@ -65,7 +65,7 @@ describe("nudge under the corner of a block", function()
     --   +------+
     --        +-+
     { "bumps at the next one", 161, 176, 0, 400, 164, 65.5, 1, solid(nil, 164, 49.5, 64, 16) },
-    { "fits exactly between two", 161, 176, 0, 400, 164, -24, 0, solid(nil, 180, 50, 64, 16) },
+    { "goes exactly between two", 161, 176, 0, 400, 164, -24, 0, solid(nil, 180, 50, 64, 16) },
     { "bumps with another beside", 161, 176, 0, 400, 161, 66, 2, solid(nil, 164, 40, 64, 26) },
     { "with one near it bumps", 161, 176, 0, 400, 161, 66, 2, solid(nil, 175, 40, 64, 26) },
   })
