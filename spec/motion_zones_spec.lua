@@ -182,27 +182,6 @@ describe("area: a zone", function()
     { "zone.raw.area.ax = 100; world:add('zones', zone.raw)", 1 / 6, "body.vx > 0" },
   }, { "kind", { "static" }, { "kinematic" } })
 
-  it("is the same with and without rest, and in either broad phase", function()
-    local hashes = {}
-    for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
-      local world = physics.newWorld(settings)
-      world.gravity = 800
-      world:add("zones", zone({ gravity = -300, airFriction = 2 })[2])
-      local round = { x = 300, y = 0, radius = 80, width = 160, height = 160, vx = -20 }
-      round.kinematic, round.static = true, false
-      world:add("zones", zone({ attract = 900, law = "inverse" }, round)[2])
-      world:add("tiles", { x = 0, y = 400, width = 600, height = 20, static = true })
-      for i = 0, 29 do
-        world:add("bodies", body({ x = 18 * i, y = 40 + 30 * (i % 5), friction = 0.3 })[2])
-      end
-      for _ = 1, 240 do
-        world:update(DT)
-      end
-      hashes[n] = world:hash()
-    end
-    assert.are.same({ hashes[1], hashes[1], hashes[1] }, hashes)
-  end)
-
   -- A world with such a zone, and a body above it.
   local function newWorld(area)
     local world = physics.newWorld({ gravity = 800 })

@@ -79,7 +79,6 @@ slow.files = {
   { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
   { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for 20 s" },
-  { "spec/scenarios/26_balls_spec.lua", "200 balls, for a minute" },
   { "spec/scenarios/27_heaps_spec.lua", "100 balls, poured into a room at three frame rates" },
   { "spec/invariants/soak_spec.lua", "falls of 4600 steps" },
   { "spec/objects_order_spec.lua", "eight more seeds of random edits" },

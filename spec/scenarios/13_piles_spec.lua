@@ -206,8 +206,6 @@ end)
 local solid = scene.maker("tiles", { static = true })
 local body = scene.maker("bodies")
 local UPRIGHT = { shift = { 0, 1 / 3, -1000.1 }, rate = { 60, 30, 144 }, order = variants.ORDERS }
-local TURNED = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, 144 }, turn = variants.TURNS }
-TURNED.order = variants.ORDERS
 
 -- Fails unless nothing moves by a bit for half a second.
 -- Nothing goes further than half a pixel in half a second: crates that are squeezed sideways part
@@ -226,48 +224,6 @@ local function expectRest(run)
     end
   end
 end
-
---   ################
---          ##
---          ##           16 at one spot
---   ################
--- They stayed one column, pressed into the ceiling for ever.
-describe("x and y: a pile at one spot under a ceiling", function()
-  for _, row in ipairs({
-    -- boxes, their size, height of the corridor, y of the spot above its floor
-    { 16, 16, 64, 40 },
-    { 12, 20, 20, 20 },
-    { 24, 8, 30, 20 },
-    { 16, 16, 64, 16 },
-    { 16, 16, 64, 64 },
-    { 8, 16, 100, 50 },
-  }) do
-    local count, size, height, above = row[1], row[2], row[3], row[4]
-    local title = "is apart within a second: %d of %d px in a corridor of %d px, at %d px"
-    scene.it(title:format(count, size, height, above), TURNED, function(run)
-      local description = {
-        solid("floor", -600, 100, 1200, 16),
-        solid("ceiling", -600, 100 - height - 16, 1200, 16),
-      }
-      for i = 1, count do
-        description[2 + i] = body("box" .. i, 0, 100 - above, size, size)
-      end
-      local named = run:build(description)
-      scene.watch(run, motion.new(run.world, run.all), 1)
-      overlap.expectApart(run)
-      local least, most = 0, 0
-      for i = 1, count do
-        local box = named["box" .. i]
-        least, most = math.min(least, box.x), math.max(most, box.x)
-        local isInside = box.y >= 100 - height - 0.01 and box.y <= 100 - size + 0.01
-        run:check(isInside, "box %d is at y = %.9g", i, box.y)
-      end
-      run:check(most - least >= size, "they are still one column")
-      run:play(1)
-      expectRest(run)
-    end)
-  end
-end)
 
 --   |->|####|
 --   |->|####|

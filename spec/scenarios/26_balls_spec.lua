@@ -1,7 +1,6 @@
 --- Balls: circles that are no sensors.
 
 local effort = require("spec.support.effort")
-local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local small = require("spec.support.small")
 
@@ -31,33 +30,6 @@ local function addRoom(world, width, height)
   world:add("walls", tile(-20, -20, width + 40, 20))
   world:add("walls", tile(-20, 0, 20, height))
   world:add("walls", tile(width, 0, 20, height))
-end
-
--- The deepest overlap of two balls, and of a ball and a wall.
-local function depths(world)
-  local balls, ofBalls, ofWalls = world.objects.balls, 0, 0
-  for n, a in ipairs(balls) do
-    local x, y = a.x + a.radius, a.y + a.radius
-    for m = n + 1, #balls do
-      local b = balls[m]
-      local dx, dy = x - b.x - b.radius, y - b.y - b.radius
-      ofBalls = math.max(ofBalls, a.radius + b.radius - math.sqrt(dx * dx + dy * dy))
-    end
-    for _, wall in ipairs(world.objects.walls) do
-      local dx = x - math.max(wall.x, math.min(x, wall.x + wall.width))
-      local dy = y - math.max(wall.y, math.min(y, wall.y + wall.height))
-      ofWalls = math.max(ofWalls, a.radius - math.sqrt(dx * dx + dy * dy))
-    end
-  end
-  return ofBalls, ofWalls
-end
-
-local function energy(world, floor, gravity)
-  local sum = 0
-  for _, b in ipairs(world.objects.balls) do
-    sum = sum + (b.vx * b.vx + b.vy * b.vy) / 2 + gravity * (floor - b.y - b.height)
-  end
-  return sum
 end
 
 describe("radius: a ball", function()
@@ -229,26 +201,6 @@ describe("radius: a ball", function()
     assert.is_true(object.vx > 20)
   end)
 
-  it("200 keep their energy for a minute within 1 %, and overlap nothing #slow", function()
-    for _, gravity in ipairs({ 0, 400 }) do
-      local world, random = physics.newWorld({ gravity = gravity }), newRandom(3)
-      addRoom(world, 600, 400)
-      for i = 0, 199 do
-        local object = ball(22 + (i % 20) * 29, 22 + (i - i % 20) / 20 * 36, random:between(4, 10))
-        object.vx, object.vy = random:between(-200, 200), random:between(-200, 200)
-        object.restitution = 1
-        world:add("balls", object)
-      end
-      local before = energy(world, 400, gravity)
-      for _ = 1, effort.share(60) do
-        run(world, 1)
-        local ofBalls, ofWalls = depths(world)
-        assert.is_true(ofBalls < 1e-5 and ofWalls < 1e-5)
-      end
-      near(1, energy(world, 400, gravity) / before, gravity == 0 and 1e-9 or 0.01)
-    end
-  end)
-
   it("is what world:move and world:sweep see", function()
     local world = physics.newWorld({ gravity = 0 })
     world:add("stones", ball(100, 100, 20, { static = true }))
@@ -278,41 +230,6 @@ describe("radius: a ball", function()
     local into = left * across / 30
     near(90 - across + left - 2 * into * across / 30, toX, 1e-5)
     near(78 - 2 * into * 0.4, toY, 1e-5)
-  end)
-
-  long("is the same with and without rest, with either broad phase, and restored", function()
-    local function build(settings)
-      local world, random = physics.newWorld(settings), newRandom(5)
-      world.gravity = 600
-      addRoom(world, 300, 300)
-      world:add("stones", ball(120, 220, 20, { static = true }))
-      world:add("stones", ball(215, 165, 15, { kinematic = true, vx = -10 }))
-      world:add("ledges", tile(60, 120, 60, 8, { oneWay = true }))
-      for i = 0, 39 do
-        local object = { x = 10 + (i % 10) * 28, y = 10 + (i - i % 10) / 10 * 26, mass = i % 5 + 1 }
-        object.vx, object.vy = random:between(-150, 150), random:between(-150, 150)
-        object.restitution, object.friction = i % 3 / 2, i % 4 == 0 and 0.4 or nil
-        if i % 3 == 0 then
-          object.width, object.height = random:between(6, 18), random:between(6, 18)
-        else
-          object.radius = random:between(4, 10)
-        end
-        world:add("balls", object)
-      end
-      return world
-    end
-    local hashes = {}
-    for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
-      local world = build(settings)
-      run(world, 4)
-      hashes[n] = world:hash()
-    end
-    local world, other = build({}), physics.newWorld()
-    run(world, 2)
-    other:restore(world:save())
-    run(other, 2)
-    hashes[4] = other:hash()
-    assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
   end)
 end)
 

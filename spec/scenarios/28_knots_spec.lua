@@ -121,24 +121,6 @@ describe("x and y: a knot", function()
     end
   end)
 
-  it("goes the same way without rest, and pair by pair", function()
-    local hashes = {}
-    for _, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
-      local closet = newCloset(settings)
-      play(closet.world, 1)
-      closet.world:remove(closet.lid)
-      play(closet.world, 1)
-      hashes[#hashes + 1] = ("%.17g %.17g %.17g %.17g"):format(
-        closet.one.x,
-        closet.one.y,
-        closet.two.x,
-        closet.two.y
-      )
-    end
-    assert.equal(hashes[1], hashes[2])
-    assert.equal(hashes[1], hashes[3])
-  end)
-
   it("goes through other boxes to the nearest free place, and through no wall", function()
     -- Two in one place in the middle of a full row under a lid with an opening at its end.
     local world = physics.newWorld()
