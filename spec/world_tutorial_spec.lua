@@ -5,6 +5,7 @@
 local fresh = require("spec.support.fresh")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local GLOBALS = { "objects", "physics_load", "physics_update", "checkCollision", "inside", "bump" }
 local DT = 1 / 60
@@ -20,26 +21,10 @@ end
 
 local NAN, INF = 0 / 0, 1 / 0
 local OPPOSITE = { top = "bottom", left = "right", bottom = "top", right = "left" }
-local unpackList = rawget(_G, "unpack") or rawget(table, "unpack")
-
-local function box(x, y, width, height)
-  return { x = x, y = y, width = width, height = height }
-end
+local box, refuses = small.put, small.refuses
 
 local function boxOf(row)
   return box(row[1], row[2], row[3], row[4])
-end
-
---- Runs a call that must be refused. It must blame this file, and say exactly this.
-local function refuses(expected, call, ...)
-  local given, count = { ... }, select("#", ...)
-  local ok, message = pcall(function()
-    call(unpackList(given, 1, count))
-    return nil
-  end)
-  assert.is_false(ok, "it was not refused: " .. expected)
-  assert.truthy(message:find("world_tutorial_spec.lua:", 1, true), message)
-  assert.equal("physics: " .. expected, (message:gsub("^.-world_tutorial_spec%.lua:%d+: ", "")))
 end
 
 -- (Other wrong values are in debugging_bad_input_spec.)
