@@ -8,7 +8,7 @@ local BUDGET = {
   { "physics.lua", 94 },
   { "physics/broadphase", 650 },
   { "physics/contacts", 399 },
-  { "physics/fields", 651 },
+  { "physics/fields", 652 },
   { "physics/maps", 2193 },
   { "physics/memory", 837 },
   { "physics/motion", 981 },
@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/sleep", 80 },
   { "physics/solver", 3908 },
   { "physics/space", 393 },
-  { "physics/state", 877 },
+  { "physics/state", 876 },
   { "physics/world", 1400 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

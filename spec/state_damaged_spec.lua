@@ -68,6 +68,9 @@ local ROWS = {
   { "fields.mass", { 2, 1, 2, 1 }, "state.fields.mass[3] must be an integer in 3..10, got 2" },
   { "settings.masks", { a = { [INFINITE] = false } }, "state.settings.masks.a must have" },
   { "fields.mask", { 6, { a = 1 } }, "objects.boxes[1].mask.a must be true or false, got 1" },
+  { "fields.radius", { 6, 5 }, "objects.boxes[1].radius must be half of width and height, which" },
+  { "fields.slope", { 7, "left" }, "objects.boxes[2].slope must be nil for a dynamic object" },
+  { "fields.area", { 9, { drag = 1 } }, "objects.late[1].area must be nil unless the object is a" },
   { "memory", nil, "state.memory must be a table, got nil" },
   {
     "memory.moved",

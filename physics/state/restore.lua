@@ -29,33 +29,16 @@ local max, min = math.max, math.min
 
 -- Which table is which object ---------------------------------------------------------------------
 
--- Calls visit(n, group, key) for each object of a state; the key of a direct one is nil.
-local function forEach(st, visit)
+-- Calls visit(n, owner, key) for each object of a state: where it is in the tables of the game.
+local function forEach(world, st, visit)
   local n = 0
   for _, group in ipairs(st.groups) do
+    local owner = group.direct and world.objects or world.objects[group.name]
     for m = 1, group.count do
       n = n + 1
-      visit(n, group.name, not group.direct and (group.keys and group.keys[m] or m) or nil)
+      visit(n, owner, group.direct and group.name or group.keys and group.keys[m] or m)
     end
   end
-end
-
--- Finds objects for a state from elsewhere: those at the same places, and new ones.
-local function matchByPlace(world, st)
-  local objects, taken = {}, {}
-  forEach(st, function(n, name, key)
-    local object = world.objects[name]
-    if check.isObject(object) ~= (key == nil) then
-      object = nil
-    elseif key ~= nil and type(object) == "table" then
-      object = object[key]
-    end
-    if type(object) ~= "table" or taken[object] then
-      object = {}
-    end
-    objects[n], taken[object] = object, true
-  end)
-  return objects
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
@@ -74,14 +57,20 @@ local function misfit(world, st)
   end
 end
 
--- Returns all objects that a state names, by number: if this world has saved it, the same tables.
--- Second: what does not fit (see misfit).
+-- Returns all objects that a state names, by number: if this world has saved it, the same tables,
+-- else those at the same places, and new ones. Second: what does not fit (see misfit).
 local function match(world, st)
   local known = world._bodies.tablesOf and world._bodies.tablesOf[st]
   if known and #known == st.count + st.gone then
     return known
   end
-  local objects = matchByPlace(world, st)
+  local objects, taken = {}, {}
+  forEach(world, st, function(n, owner, key)
+    local object = type(owner) == "table" and not check.isObject(owner) and owner[key]
+    local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
+    objects[n] = isFit and not taken[object] and object or {}
+    taken[objects[n]] = true
+  end)
   for n = st.count + 1, st.count + st.gone do
     objects[n] = {}
   end
@@ -138,12 +127,8 @@ local function place(world, st, objects)
   for _, group in ipairs(st.groups) do
     world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
   end
-  forEach(st, function(n, name, key)
-    if key == nil then
-      world.objects[name] = objects[n]
-    else
-      world.objects[name][key] = objects[n]
-    end
+  forEach(world, st, function(n, owner, key)
+    owner[key] = objects[n]
   end)
 end
 
