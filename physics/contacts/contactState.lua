@@ -12,16 +12,13 @@ local rules = require(root .. ".solver.rules")
 local columns = require(root .. ".memory.columns")
 local crowd = require(root .. ".solver.crowd")
 local events = require(root .. ".contacts.events")
-local pairFinder = require(root .. ".broadphase.pairFinder")
 local shapes = require(root .. ".space.shapes")
 local touch = require(root .. ".solver.touch")
-local sort = require(root .. ".memory.sort")
 
 local contactState = {}
 
 local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE, INSIDE = columns.EPSILON, columns.OPPOSITE, columns.INSIDE
-local max, min = math.max, math.min
 
 -- Returns the side of slot i on which two are flush at the end of the step, else 0; INSIDE if they
 -- overlap.
@@ -101,9 +98,11 @@ local function deepContact(b, p, i, j)
   return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, p) or side
 end
 
--- Returns the side on which a solid pair that does not overlap is in contact now, else 0.
+-- Returns the side on which a solid pair that does not overlap is in contact now, else 0. What the
+-- game must be asked about is in contact once it was asked: in the next step, if nothing was hit.
 local function flushContact(b, p, i, j, side)
-  if side <= 0 or b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
+  local isOpen = b.hasAskers and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
+  if isOpen or b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
     return 0
   end
   local isHeld = b.contact[p] == side or b.hit[p] == side or b.sideBySide
@@ -128,41 +127,6 @@ local function sensorContact(b, p, i, j)
   end
   local side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
   return side ~= 0 and side or shortestSide(b, p)
-end
-
--- Lists in `work.list` the pairs about which the game must still be asked, in the order of the
--- world. Returns how many there are.
-local function listUnasked(b, work)
-  local list, first, second, count = work.list, b.firstRank, b.secondRank, 0
-  for n = 1, b.liveCount do
-    local p = b.live[n]
-    local i, j = b.pairA[p], b.pairB[p]
-    local isOpen = b.hit[p] == 0 and not b.passing[p] and b.asked[p] ~= b.solveStamp
-    if isOpen and not (b.sensor[i] or b.sensor[j]) and rules.isAsked(b, i, j) then
-      work.side[p] = flushContact(b, p, i, j, sideOf(b, i, j))
-      first[p], second[p] = min(b.rank[i], b.rank[j]), max(b.rank[i], b.rank[j])
-      if work.side[p] ~= 0 then
-        count = count + 1
-        list[count] = p
-      end
-    end
-  end
-  sort.by(list, count, first, second, second)
-  return count
-end
-
---- Asks the game about pairs that will be in contact without a hit. (An object that stands on two
---- floors is held by one of them.) Writes only `passing`, since the function of the game may fail.
-function contactState.ask(b)
-  local work = b.unasked
-  for n = 1, listUnasked(b, work) do
-    local p = work.list[n]
-    local i, j, side = b.pairA[p], b.pairB[p], work.side[p]
-    local isFirstLow = side % 2 == 0
-    local low, high = isFirstLow and i or j, isFirstLow and j or i
-    b.passing[p] = not rules.permits(b, low, high, side > 2 and 1 or 0)
-    pairFinder.stain(b, p)
-  end
 end
 
 -- Returns whether slot i has stayed in its place, whatever met it.
