@@ -317,11 +317,11 @@ function drift.run(b, dt)
   end
 end
 
---- Adds the drift to the free flight of those in awakeList from `first` to `last`.
-function drift.add(b, dt, first, last)
+--- Adds the drift to the free flight of all awake bodies.
+function drift.add(b, dt)
   local awakeList, kind, softSpeed, way, speed = b.awakeList, b.kind, b.softSpeed, b.way, b.speed
   local without, carried = b.drifts.speed, b.carried
-  for n = first, last do
+  for n = 1, b.awakeCount do
     local k = 2 * awakeList[n]
     if kind[awakeList[n]] == DYNAMIC then
       without[k], without[k + 1] = speed[k] + carried[k], speed[k + 1] + carried[k + 1]

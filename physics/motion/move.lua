@@ -31,10 +31,10 @@ local function moveKinematic(b, k, dt)
 end
 
 -- Computes the free flight of dynamic bodies: speed at the end, and way.
-local function findFlights(b, dt, first, last)
+local function findFlights(b, dt)
   local list, kind, isFree, air = b.awakeList, b.kind, b.isFree, b.flowAir
   local velocity, pull, push, speed, way = b.velocity, b.flowPull, b.push, b.speed, b.way
-  for n = first, last do
+  for n = 1, b.awakeCount do
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1
     if kind[i] == DYNAMIC and isFree[i] and air[i] == 0 then
@@ -51,10 +51,10 @@ local function findFlights(b, dt, first, last)
 end
 
 -- Computes where dynamic bodies would end, and how fast they would be then.
-local function findEnds(b, dt, first, last)
+local function findEnds(b, dt)
   local list, kind, from, to, way = b.awakeList, b.kind, b.from, b.to, b.way
   local speed, carried = b.speed, b.carried
-  for n = first, last do
+  for n = 1, b.awakeCount do
     local i = list[n]
     if kind[i] == DYNAMIC then
       local k, m = 2 * i, 2 * i + 1
@@ -65,15 +65,15 @@ local function findEnds(b, dt, first, last)
 end
 
 -- Moves kinematic objects, and reads how fast they carry others.
-local function carry(b, dt, first, last)
+local function carry(b, dt)
   local list, kind = b.awakeList, b.kind
-  for n = first, last do
+  for n = 1, b.awakeCount do
     for k = 2 * list[n], kind[list[n]] == KINEMATIC and 2 * list[n] + 1 or 0 do
       moveKinematic(b, k, dt)
     end
   end
   carriers.board(b)
-  for n = first, last do
+  for n = 1, b.awakeCount do
     local i = list[n]
     if kind[i] == DYNAMIC then
       b.carried[2 * i], b.carried[2 * i + 1] = carriers.velocity(b, b.carrier[i], i)
@@ -81,26 +81,24 @@ local function carry(b, dt, first, last)
   end
 end
 
---- Gives a path to each body in awakeList behind place `b.predicted`. The solver may wake others:
---- these are computed then as if they had been awake from the start of the step.
+--- Gives a path to each awake body. The solver may wake others: then all are computed anew.
 function move.run(b, dt)
-  local first, last = b.predicted + 1, b.awakeCount
   path.begin(b)
   if b.hasZones then
-    zones.run(b, dt, first, last)
+    zones.run(b, dt)
   end
-  findFlights(b, dt, first, last)
+  findFlights(b, dt)
   if b.hasHinders then
-    forces.hinder(b, dt, first, last)
+    forces.hinder(b, dt)
   end
   if b.hasCarriers then
-    carry(b, dt, first, last)
+    carry(b, dt)
   end
   if b.driftedCount > 0 then
-    drift.add(b, dt, first, last)
+    drift.add(b, dt)
   end
-  findEnds(b, dt, first, last)
-  b.predicted = last
+  findEnds(b, dt)
+  b.predicted = b.awakeCount
 end
 
 return move

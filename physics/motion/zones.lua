@@ -124,9 +124,9 @@ local function push(b, i, j, share, time)
   end
 end
 
--- Lets zone j act (`turn` or `push`) on the dynamic ones of list[first..last] that are in it.
-local function act(b, list, first, last, j, time, what)
-  for n = first, b.active[j] and last or 0 do
+-- Lets zone j act (`turn` or `push`) on the dynamic ones of list[1..count] that are in it.
+local function act(b, list, count, j, time, what)
+  for n = 1, b.active[j] and count or 0 do
     local i = list[n]
     local share = b.kind[i] == DYNAMIC and shareIn(b, i, j, time) or 0.0
     if share > 0 then
@@ -135,11 +135,11 @@ local function act(b, list, first, last, j, time, what)
   end
 end
 
--- Lets what acts on those in list[first..last] be what their own fields say.
-local function reset(b, list, first, last)
+-- Lets what acts on those in list[1..count] be what their own fields say.
+local function reset(b, list, count)
   local pull, air, drag = b.pull, b.airFriction, b.drag
   local zonePull, zoneAir, zoneDrag, left = b.zonePull, b.zoneAir, b.zoneDrag, b.zoneLeft
-  for n = first, last do
+  for n = 1, count do
     local i = list[n]
     left[2 * i], left[2 * i + 1] = 1, 1
     zonePull[2 * i], zonePull[2 * i + 1] = pull[2 * i], pull[2 * i + 1]
@@ -147,16 +147,16 @@ local function reset(b, list, first, last)
   end
 end
 
--- Finds the gravity of those in list[first..last], `time` s after the beginning of the step; the
+-- Finds the gravity of those in list[1..count], `time` s after the beginning of the step; the
 -- last zone is on top.
-local function turnAll(b, list, first, last, time)
+local function turnAll(b, list, count, time)
   local slots = b.zoneList
-  reset(b, list, first, last)
+  reset(b, list, count)
   for n = #slots, 1, -1 do
     local area = b.area[slots[n]]
-    act(b, list, first, (area.gravity or area.gravityX) and last or 0, slots[n], time, turn)
+    act(b, list, (area.gravity or area.gravityX) and count or 0, slots[n], time, turn)
   end
-  for n = first, last do
+  for n = 1, count do
     local i = list[n]
     if b.kind[i] == DYNAMIC then
       path.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
@@ -164,19 +164,19 @@ local function turnAll(b, list, first, last, time)
   end
 end
 
---- Finds what acts on the dynamic objects in awakeList from `first` to `last` in a step of dt s.
-function zones.run(b, dt, first, last)
+--- Finds what acts on the awake dynamic objects in a step of dt s.
+function zones.run(b, dt)
   local slots, time = b.zoneList, dt * 0.5
-  turnAll(b, b.awakeList, first, last, time)
+  turnAll(b, b.awakeList, b.awakeCount, time)
   for n = 1, #slots do
-    act(b, b.awakeList, first, last, slots[n], time, push)
+    act(b, b.awakeList, b.awakeCount, slots[n], time, push)
   end
 end
 
 --- Begins a step: finds the zones, and where "down" is of those in list[1..count].
 function zones.begin(b, list, count)
   arrange(b)
-  turnAll(b, list, 1, count, 0)
+  turnAll(b, list, count, 0)
 end
 
 --- Finds where "down" is of everything in a world that was restored.

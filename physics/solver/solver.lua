@@ -225,7 +225,6 @@ local function restart(b, dt)
     from[2 * i], from[2 * i + 1] = origin[2 * i], origin[2 * i + 1]
     time[i] = 0
   end
-  b.predicted = 0
   move.run(b, dt)
 end
 
