@@ -75,14 +75,12 @@ end
 
 -- Computes the speed limits of all awake bodies, with the velocity of their carriers.
 local function findLimits(b)
-  local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
-  local softSpeed = b.softSpeed
+  local list, carried, reserve, softSpeed = b.awakeList, b.carried, b.reserve, b.softSpeed
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
-      local most = reserve[k] > 0 and pace[k] or b.fastest[k]
-      local least = reserve[k] < 0 and pace[k] or b.slowest[k]
       local base = carried[k] + softSpeed[k]
-      b.least[k], b.most[k] = least + base, most + base
+      b.least[k] = reserve[k] < 0 and b.freeSpeed[k] or b.slowest[k] + base
+      b.most[k] = reserve[k] > 0 and b.freeSpeed[k] or b.fastest[k] + base
     end
   end
 end
