@@ -253,7 +253,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   b.resolved = b.resolved + 1
   if b.hasRound and ball.isRound(b, i, j) then
     local r, tau = max(b.restitution[i], b.restitution[j]), min((1 - t) * dt, left)
-    local u, stays = ball.impact(b, i, j, axis, isDeep, tau, dt, isLate, r)
+    local u, stays = ball.impact(b, i, j, isDeep, tau, dt, isLate, r)
     if u then
       impact.note(b, p, i, axis, u, t)
       return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays

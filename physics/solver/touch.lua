@@ -118,23 +118,21 @@ function touch.gradient(b, i, j)
 end
 
 --- Returns how two that are not both boxes touch where the step begins: the axis, the low and the
---- high index, px that these must be apart, and whether the normal is slanted. Nil, and whether
---- they overlap: they do not touch, or are left to the sweep, as a slope that a box is inside of,
---- or floats at.
+--- high index, and px that these must be apart. Nil, and whether they overlap: they do not touch,
+--- or are left to the sweep, as a slope that a box is inside of, or floats at.
 function touch.contact(b, i, j)
-  local from, isSlanted, axis, isLow, gap, isEdge = b.from, false
+  local from, axis, isLow, gap, isEdge = b.from
   if haveFaces(b, i, j) then
     i, j = order(b, i, j)
     axis, isLow, gap, isEdge = nearestSide(b, i, j, from)
   else
-    axis, isLow, isSlanted = ball.touch(b, i, j)
+    axis, isLow = ball.touch(b, i, j)
   end
   if not axis or gap and (gap < -EPSILON or isEdge and isFloating(b, i)) then
     return nil, not gap and isLow
   end
   local t, kl, kh = 1 - axis, 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
-  local separation = apart(b, i, j, axis, isLow, from[2 * i + t], from[2 * j + t])
-  return axis, kl, kh, isSlanted and from[kh] - from[kl] or separation, isSlanted
+  return axis, kl, kh, apart(b, i, j, axis, isLow, from[2 * i + t], from[2 * j + t])
 end
 
 --- Returns the side of slot i at which two are flush at the end of the step, else 0; -1: they are

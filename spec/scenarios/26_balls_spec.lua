@@ -167,24 +167,17 @@ describe("radius: a ball", function()
     assert.are.equal(4, world.stats.resting)
   end)
 
-  -- 30 px from centre to centre; 18 px across, 24 px up, or 0.9 px across.
-  it("stands on a ball or a stone nearly on top, and else rolls off", function()
-    local top = math.sqrt(900 - 0.81)
+  -- 30 px from centre to centre; 18 px across, 24 px up.
+  it("rolls off a ball or a stone", function()
     for _, isStatic in ipairs({ true, false }) do
-      for _, row in ipairs({ { 18, 24.1, false }, { 18, 44, false }, { 0.9, top + 0.1, true } }) do
+      for _, row in ipairs({ { 18, 24.1 }, { 18, 44 } }) do
         local world = physics.newWorld({ gravity = 800 })
         world:add("floors", tile(0, 120, 200, 10))
         world:add("stones", ball(100, 100, 20, { static = isStatic, mass = 1000, friction = 1 }))
         local object = world:add("balls", ball(100 + row[1], 100 - row[2], 10))
         run(world, 1)
-        if row[3] then
-          near(100 + row[1], object.x + 10, 1e-6)
-          near(100 - math.sqrt(900 - row[1] * row[1]), object.y + 10, 1e-6)
-          assert.are.equal(isStatic and 1 or 2, world.stats.resting)
-        else
-          assert.is_true(object.y > 76)
-          assert.is_true(object.vx > 0)
-        end
+        assert.is_true(object.y > 76)
+        assert.is_true(object.vx > 0)
       end
     end
   end)

@@ -391,23 +391,17 @@ describe("radius: a heap of balls", function()
     assert.is_true(crate.y + 20 < 400 - 50, crate.y)
   end)
 
-  -- The ball hangs over the corner by 0.4 and 4 px.
-  it("rolls off a corner by more than anybody sees, and else stays", function()
-    for _, row in ipairs({ { 0.4, true }, { 4, false } }) do
-      for _, isStatic in ipairs({ true, false }) do
-        for _, rate in ipairs({ 30, 60, 240 }) do
-          local world = physics.newWorld({ gravity = 800 })
-          wall(world, -200, 200, 500, 20)
-          world:add("boxes", { x = 0, y = 160, width = 40, height = 40, static = isStatic })
-          local up = math.sqrt(100 - row[1] * row[1])
-          local object = world:add("balls", {
-            x = 40 + row[1] - 10,
-            y = 160 - up - 10,
-            radius = 10,
-          })
-          run(world, 2, rate)
-          assert.are.equal(row[2], object.y < 160)
-        end
+  -- The ball hangs over the corner by so many px.
+  it("rolls off a corner", function()
+    for _, row in ipairs({ { 0.4, true }, { 4, true }, { 4, false } }) do
+      for _, rate in ipairs({ 30, 60, 240 }) do
+        local world, off = physics.newWorld({ gravity = 800 }), row[1]
+        wall(world, -200, 200, 500, 20)
+        world:add("boxes", { x = 0, y = 160, width = 40, height = 40, static = row[2] })
+        local up = math.sqrt(100 - off * off)
+        local object = world:add("balls", { x = 30 + off, y = 150 - up, radius = 10 })
+        run(world, 2, rate)
+        assert.is_true(object.y > 160, object.y)
       end
     end
   end)
