@@ -179,16 +179,12 @@ function grid:remove(i)
   self.count = self.count - 1
 end
 
---- Notes that the fat boxes of the objects in `list[1..count]` have changed.
-function grid:update(list, count)
-  local keys = self.key
-  for m = 1, count do
-    local i = list[m]
-    local level, cellX, cellY = place(self, i)
-    if keyOf(cellX, cellY, level) ~= keys[i] then
-      unfile(self, i)
-      file(self, i, level, cellX, cellY)
-    end
+--- Notes that the fat box of an object has changed.
+function grid:update(i)
+  local level, cellX, cellY = place(self, i)
+  if keyOf(cellX, cellY, level) ~= self.key[i] then
+    unfile(self, i)
+    file(self, i, level, cellX, cellY)
   end
 end
 

@@ -130,15 +130,13 @@ local function enlarge(b, strays, count)
     local farthest = only[i] and FARTHEST_AIMED or FARTHEST
     fatten(b, 2 * i, farthest)
     fatten(b, 2 * i + 1, farthest)
-  end
-  for m = 1, count do
-    local i = strays[m]
     if placed[i] == 0 then
       broadphase:insert(i)
+    else
+      broadphase:update(i)
     end
     placed[i] = 2
   end
-  broadphase:update(strays, count)
 end
 
 -- Static bodies meet no other static ones. If there are more strays than bodies that can move, some

@@ -33,6 +33,7 @@ local function newRecord(name, source)
     found = {}, -- the slots of that, from `first` on
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
+    isPlain = true, -- none of its objects has a metatable
     mixed = false, -- its keys were not 1, 2, 3 … in the order of `next`
   }
 end
@@ -104,7 +105,13 @@ function groups.firstChange(record)
     return nil
   end
   local source, list, keys, count = record.source, record.list, record.keys, record.count
-  for n = 1, count do
+  local isPlain = record.isPlain and not keys
+  for n = 1, isPlain and count or 0 do -- (JIT off: a call of `rawequal` takes as long as the rest)
+    if source[n] ~= list[n] then
+      return n
+    end
+  end
+  for n = 1, isPlain and 0 or count do
     if not rawequal(source[keys and keys[n] or n], list[n]) then
       return n
     end
