@@ -6,13 +6,13 @@
 
 local BUDGET = {
   { "physics.lua", 94 },
-  { "physics/broadphase", 650 },
+  { "physics/broadphase", 644 },
   { "physics/contacts", 368 },
   { "physics/fields", 652 },
   { "physics/maps", 2193 },
-  { "physics/memory", 833 },
+  { "physics/memory", 828 },
   { "physics/motion", 980 },
-  { "physics/objects", 1182 },
+  { "physics/objects", 1192 },
   { "physics/queries", 783 },
   { "physics/sleep", 80 },
   { "physics/solver", 3836 },

@@ -15,9 +15,10 @@ local debug = rawget(_G, "debug")
 -- library.
 local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 
--- What goes through a table by `next` or `pairs`. LuaJIT of 2022 makes code of it that may crash on
--- x64: it reads what `next` has found through the lower half of a pointer to the stack.
-local NEXT = {
+--- By file: the functions that are not compiled. "*": all of it.
+compiler.INTERPRETED = {
+  -- What goes through a table by `next` or `pairs`. LuaJIT of 2022 makes code of it that may crash
+  -- on x64: it reads what `next` has found through the lower half of a pointer to the stack.
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "keepPlain",
   ["maps.properties"] = "put saysThatItMoves isEmpty",
@@ -36,19 +37,14 @@ local NEXT = {
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",
   ["world.class"] = "search",
-}
-
--- What takes another path for each pair, and would become hundreds of traces. Least times of three
--- runs: `spawn` of 100, median 0.52 -> 0.40 ms, p99 1.9 -> 1.0 ms; `swarm` of 300 1.64 -> 1.51, 2.5
--- -> 2.2; `zones` of 200, p99 2.9 -> 2.3. "*": all functions of the file.
-local BRANCHING = {
+  -- What takes another path for each pair, and would become hundreds of traces. Least times of
+  -- three runs: `spawn` of 100, median 0.52 -> 0.40 ms, p99 1.9 -> 1.0 ms; `swarm` of 300
+  -- 1.64 -> 1.51, 2.5 -> 2.2; `zones` of 200, p99 2.9 -> 2.3.
   ["contacts.contactState"] = "*",
   ["contacts.events"] = "*",
   ["solver.impact"] = "*",
   ["solver.rounds"] = "sortImpacts isSpent isTorn isDisturbed change meet happen run",
 }
-
-compiler.rows = { NEXT, BRANCHING }
 
 local exported = {} -- functions that modules give to others, while it works
 local handled = {} -- names of modules
@@ -114,11 +110,9 @@ function compiler.load(name, root)
   local isOn = jit.status()
   jit.off()
   local module, list = require(name), listNew(root)
-  for n = 1, #compiler.rows do
-    for file, names in next, compiler.rows[n], nil do
-      if list[file] then
-        leave(list[file], names)
-      end
+  for file, names in next, compiler.INTERPRETED, nil do
+    if list[file] then
+      leave(list[file], names)
     end
   end
   exported = {}
