@@ -1,9 +1,8 @@
---- Motion: `maxSpeed`, `drag` and `airFriction`. An object that pulls harder than its speed limit
---- lets it go: an engine (`ax`) with friction, drag or crates in its way.
+--- Motion: `maxSpeed` and `drag`. (What moves alone is in oracles/.) An object that pulls harder
+--- than its speed limit lets it go: an engine (`ax`) with friction, drag or crates in its way.
 
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
-local variants = require("spec.support.variants")
 
 local LEVELS = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = { 0, 2 } }
 LEVELS.rate, LEVELS.broadphase = { 30, 60, 144, 1000 }, { "grid" }
@@ -118,91 +117,4 @@ describe("drag of what is pushed", function()
     end
     return list
   end, { 1, "a.x ~ x" }, { "count, x", { 1, 150 }, { 2, 0 } })
-end)
-
--- At 30 Hz it went 0.04 px farther than by hand.
-describe("airFriction: what moves alone is the same at every rate:", function()
-  local exp, log = math.exp, math.log
-  local AIR = { rate = variants.RATES, turn = { 0, 2 }, order = { "forward" } }
-
-  -- A speed with v' = -k v - a: its way after t, until it stands. k > 0.
-  local function braked(v, k, a, t)
-    t = math.min(t, log(1 + k * v / a) / k)
-    return (v + a / k) / k * (1 - exp(-k * t)) - a / k * t
-  end
-
-  -- A speed from 0 with v' = a - k v up to a limit, which may be too high: its way after t.
-  local function limited(a, k, limit, t)
-    local reached = limit * k < a and -log(1 - k * limit / a) / k or t
-    local s = math.min(t, reached)
-    return a / k * s - a / (k * k) * (1 - exp(-k * s)) + limit * math.max(t - reached, 0)
-  end
-
-  -- Plays one box; `axis` is where `way(t)` says after t s.
-  local function check(title, gravity, fields, axis, way, more)
-    scene.it(title, AIR, function(run)
-      local named = run:build({
-        gravity = gravity,
-        scene.maker("tiles", { static = true })("floor", -2000, 5000, 6000, 16),
-        scene.maker("tiles", { static = true })(
-          "ground",
-          -2000,
-          100,
-          fields.friction and 6000 or 1,
-          16
-        ),
-        scene.maker("bodies")("box", 0, 84, 16, 16, fields),
-      })
-      for time in run:steps(2) do
-        local expected = way(time) + (axis == "y" and 84 or 0)
-        run:near(axis, named.box[axis], expected, (more or 1e-6) + 1e-9 * math.abs(run.shift))
-      end
-      run:check(not fields.friction or named.box.vx == 0, "should stand")
-    end)
-  end
-
-  for _, r in ipairs({
-    -- speed, friction, airFriction, gravity
-    { 600, 0.3, 2, 1000 },
-    { 600, 0.3, 0.5, 1000 },
-    { 200, 0.5, 4, 800 },
-    { -350, 0.1, 1, 800 },
-    { 900, 1, 10, 640 },
-  }) do
-    local v, friction, air, gravity = r[1], r[2], r[3], r[4]
-    local title = ("%g px/s, friction %g, airFriction %g"):format(v, friction, air)
-    local fields = { vx = v, friction = friction, airFriction = air }
-    check(title, gravity, fields, "x", function(t)
-      return v / math.abs(v) * braked(math.abs(v), air, friction * gravity, t)
-    end)
-  end
-
-  for _, r in ipairs({
-    -- pull, airFriction, largest speed
-    { 800, 0.5, 200 },
-    { 800, 2, 300 },
-    { 1000, 4, 200 },
-    { 800, 0.1, 700 },
-    { 800, 2, 500 }, -- never reached
-  }) do
-    local pull, air, limit = r[1], r[2], r[3]
-    local title = ("pulled by %g px/s², airFriction %g, up to %g px/s, "):format(pull, air, limit)
-    local function way(t)
-      return limited(pull, air, limit, t)
-    end
-    check(title .. "falling", pull, { airFriction = air, maxSpeedY = limit }, "y", way)
-    check(title .. "by ax", 0, { ax = pull, airFriction = air, maxSpeedX = limit }, "x", way)
-  end
-
-  -- In the step in which it stops it slows down evenly.
-  local fields = { vx = 400, airFriction = 1.5, drag = 120 }
-  check("with drag", 0, fields, "x", function(t)
-    return braked(400, 1.5, 120, t)
-  end, 1e-3)
-
-  -- It is as fast as it may be, 80 and -60 px/s, from the first step on.
-  local fast = { vx = 400, vy = -300, maxSpeed = 100, airFriction = 0.7 }
-  check("faster than its maxSpeed", 0, fast, "x", function(t)
-    return 80 / 0.7 * (1 - exp(-0.7 * t))
-  end)
 end)

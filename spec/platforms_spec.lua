@@ -1,14 +1,11 @@
 --- Moving platforms and belts: `surfaceSpeed`, and what is put elsewhere together with what carries
 --- it. (Riding itself is scenarios/06_riding_spec.lua; trains are 22.)
 
-local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
-local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
-local update = small.run
 
 local SETTLE = 1 / 6 -- s, a whole number of steps at each rate
 
@@ -228,34 +225,4 @@ describe("x and y: what is put elsewhere together with what carries it", functio
     "x = man.x - lift.x",
     { 1, "lift.y - man.y ~ 24", "man.x - lift.x ~ x", "man.touching.bottom == lift" },
   }, { "how, vx, vy", unpack(RIDES) })
-end)
-
---   ##+-+
---   ##| |  800 <-     a belt that stands upright
---   ##+-+
--- Nothing moved.
-it("surfaceSpeed takes along what gravity presses onto it, from each side", function()
-  for _, row in ipairs({
-    -- gravityX, gravity, x, y of the body at a belt from 0 to 20, axis of the belt, across it
-    { 800, 0, -16, 0, "y", "x", "width" },
-    { -800, 0, 20, 0, "y", "x", "width" },
-    { 0, -800, 0, 20, "x", "y", "height" },
-    { 0, 800, 0, -16, "x", "y", "height" },
-  }) do
-    for _, speed in ipairs({ 60, -90 }) do
-      for _, rate in ipairs({ 30, 60, 144 }) do
-        local world = physics.newWorld({ gravityX = row[1], gravity = row[2] })
-        local belt = { x = -1000, y = -1000, width = 2000, height = 2000, static = true }
-        belt[row[6]], belt[row[7]], belt.surfaceSpeed = 0, 20, speed
-        local box = { x = row[3], y = row[4], width = 16, height = 16 }
-        world:add("belts", belt)
-        world:add("boxes", box)
-        update(world, 2, rate)
-        local along, across = box[row[5]], box[row[6]]
-        update(world, rate, rate)
-        assert.near(across, box[row[6]], 1e-9)
-        assert.near(math.abs(speed), math.abs(box[row[5]] - along), 1e-6)
-      end
-    end
-  end
 end)

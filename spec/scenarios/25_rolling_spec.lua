@@ -163,20 +163,6 @@ describe("slope and radius: a ball on a slope", function()
     end
   end)
 
-  it("bounces off the true normal", function()
-    for _, rate in ipairs(RATES) do
-      for _, restitution in ipairs({ 0, 0.5, 1 }) do
-        local world = newWorld(static(0, 0, 400, 200, "left", { restitution = restitution }))
-        world.gravity = 0
-        local ball = world:add("balls", { x = 192, y = 0, radius = R, vy = 300 })
-        each(1, rate, world, function() end)
-        local into = 300 * 2 / math.sqrt(5) -- along the normal, (1, -2) / sqrt(5)
-        near((1 + restitution) * into / math.sqrt(5), ball.vx)
-        near(300 - (1 + restitution) * into * 2 / math.sqrt(5), ball.vy)
-      end
-    end
-  end)
-
   it("that hangs is led along it", function()
     for _, rate in ipairs(RATES) do
       local world, ground = newWorld(static(0, 0, 400, 200, "topleft"))

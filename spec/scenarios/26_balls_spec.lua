@@ -81,21 +81,6 @@ describe("radius: a ball", function()
       near(200 - 0.6 * 120, object.vx, LATER)
       near(-0.8 * 120, object.vy, LATER)
     end)
-
-    it(("shares its momentum with another along the normal, at %d Hz"):format(rate), function()
-      local world = physics.newWorld({ gravity = 0 })
-      local one = world:add("balls", ball(0, 0, 10, { vx = 100, restitution = 1 }))
-      local other = world:add("balls", ball(66, 8, 6, { mass = 3, restitution = 1 }))
-      run(world, 1, rate)
-      -- 16 px from centre to centre, 8 px across: the normal is (sqrt(0.75), 0.5).
-      local u = 100 * math.sqrt(0.75)
-      local change = 2 * u / (1 + 1 / 3)
-      near(100 - change * math.sqrt(0.75), one.vx, LATER)
-      near(-change * 0.5, one.vy, LATER)
-      near(change * math.sqrt(0.75) / 3, other.vx, LATER)
-      near(change * 0.5 / 3, other.vy, LATER)
-      assert.are.equal(1, one.restitution)
-    end)
   end
 
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
