@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mkdir -p build/golden
-files="spec/invariants/determinism_spec.lua spec/invariants/properties_spec.lua spec/scenarios/24_snap_spec.lua"
+files="spec/invariants/determinism_spec.lua spec/invariants/properties_spec.lua"
 
 # note NAME LUA: what an interpreter computes, sorted, each number once.
 note() {

@@ -1,7 +1,7 @@
 --- The bounds of a step, as checks that can be switched on:
 ---
 ---   motion   nothing ends a step farther from its start than the fastest speed of the step and the
----            stated parting explain (spec/support/parting.lua)
+---            stated parting explain (spec/support/motion.lua)
 ---   past     no middle goes into or past an immovable object
 ---   rest     two seconds after the last act of a crowded game nothing moves by more than ROUNDING
 ---   time     no step takes longer than LONGEST, in processor time

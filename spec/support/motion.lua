@@ -1,10 +1,8 @@
 --- Watches how far a step moves objects: no farther than the fastest speed of the step explains,
---- plus what parting may add (spec/support/parting.lua); and that none gets past an immovable one.
+--- plus what parting may add, and that none gets past an immovable one.
 ---
 ---     local watch = motion.new(world, objects)
 ---     watch:before()  world:update(dt)  local what = watch:after(dt)
-
-local parting = require("spec.support.parting")
 
 local motion = {}
 
@@ -125,11 +123,13 @@ local function addMachines(watch, dt)
 end
 
 -- How much farther than it may the i-th object moved, px, along the axis where that is more; and
--- how far it moved along it. A contact parts along one axis, so each axis has its own limit.
+-- how far it moved along it. A contact parts along one axis, so each axis has its own limit. To part
+-- an object from others that it overlaps, a step moves it by its larger side at most. (Out of what
+-- is immovable it goes at once, as scenario 11 has it: see `noteWays`.)
 local function excessOf(watch, i, dt, steps)
   local object, boxes, k = watch.objects[i], watch.boxes, 4 * i
   local dx, dy = abs(object.x - boxes[k]), abs(object.y - boxes[k + 1])
-  local parted = steps * (parting(boxes[k + 2], boxes[k + 3]) + watch.nudge)
+  local parted = steps * (max(boxes[k + 2], boxes[k + 3]) + watch.nudge)
   local x = dx - (watch.vx + watch.pullX + watch.carryX) * dt - parted - watch.wayX[i]
   local y = dy - (watch.vy + watch.pullY + watch.carryY) * dt - parted - watch.wayY[i]
   if x > y or x ~= x then
