@@ -123,8 +123,8 @@ local function addMachines(watch, dt)
 end
 
 -- How much farther than it may the i-th object moved, px, along the axis where that is more; and
--- how far it moved along it. A contact parts along one axis, so each axis has its own limit. To part
--- an object from others that it overlaps, a step moves it by its larger side at most. (Out of what
+-- how far it moved along it. A contact parts along one axis, so each axis has its own limit. A step
+-- moves an object by its larger side at most to part it from others that it overlaps. (Out of what
 -- is immovable it goes at once, as scenario 11 has it: see `noteWays`.)
 local function excessOf(watch, i, dt, steps)
   local object, boxes, k = watch.objects[i], watch.boxes, 4 * i
