@@ -185,9 +185,9 @@ describe("world:loadTiled refuses", function()
     local path = os.tmpname()
     for text, expected in pairs({
       ["<map>"] = "cannot read …",
-      ["error('no luck')"] = "cannot run …",
-      ["return os.exit(1)"] = "cannot run …",
-      ["return 5"] = ("%q must return a map, got 5"):format(path),
+      ["error('no luck')"] = "cannot read …",
+      ["return os.exit(1)"] = "cannot read …",
+      ["return 5"] = ("what %q returns must be a table, got 5"):format(path),
     }) do
       local file = assert(io.open(path, "w"))
       file:write(text)

@@ -388,7 +388,7 @@ describe("world:loadTiled, tilesets in files of their own", function()
     assert.equal(HEAD .. unknown, show(load(newLand("earth.lua"))))
     for text, expected in pairs({
       ["return 5"] = "is no tileset",
-      ["error('no luck')"] = "cannot run ",
+      ["error('no luck')"] = "cannot read ",
       ["<set>"] = "cannot read ",
     }) do
       local folder, name = write(text)

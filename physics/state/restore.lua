@@ -313,6 +313,7 @@ function restore.world(world, st)
     zones.restore(b)
   end
   read.outdate(b)
+  world._restores = world._restores + 1
   return sentence
 end
 
