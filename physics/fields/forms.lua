@@ -43,20 +43,12 @@ function forms.copy(value, into)
   return copy
 end
 
--- Returns a copy of a mask or an area; entries may come from a class. Many tiles have the same
--- mask; tiles in a row share the copy.
+-- Returns a copy of a mask or an area. Many tiles have the same mask; those in a row share the copy.
 local function keepTable(b, given)
-  local class = getmetatable(given)
-  local inherited = type(class) == "table" and rawget(class, "__index")
-  if not inherited and b.keptTable and forms.isSame(given, b.keptTable) then
-    return b.keptTable
+  if not forms.isSame(given, b.keptTable) then
+    b.keptTable = forms.copy(given)
   end
-  local copy = forms.copy(given)
-  if inherited then
-    return setmetatable(copy, { __index = inherited })
-  end
-  b.keptTable = copy
-  return copy
+  return b.keptTable
 end
 
 -- (`false` is refused.)

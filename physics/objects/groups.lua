@@ -40,18 +40,6 @@ end
 
 -- The game's tables -------------------------------------------------------------------------------
 
--- Returns whether a value is an object, and not a group, from its first field. One with a missing
--- or wrong width counts as one, so that the error is about the width.
-local function isObject(value)
-  for _, field in ipairs({ "width", "x", "y", "height" }) do
-    local found = value[field]
-    if found ~= nil and type(found) ~= "table" then
-      return true
-    end
-  end
-  return false
-end
-
 -- Returns the keys of a table in order, without those in `listed`.
 local function sortedKeys(source, path, listed)
   local keys = {}
@@ -131,7 +119,7 @@ end
 local function readKeys(record, first)
   local source, n = record.source, record.keys and 1 or first
   if record.count == 0 then
-    record.direct = isObject(source) -- it may have been filled since it was first seen
+    record.direct = check.isObject(source) -- it may have been filled since it was first seen
   end
   record.first, record.newKeys, record.newCount = n, false, 1
   if not record.direct then
