@@ -1,6 +1,6 @@
 --- Which lines of the core do the specs run?
 ---
----   COVERAGE=build/a.marks busted --lua=scripts/luajit-joff --helper=scripts/coverage_helper.lua
+---   COVERAGE=build/a.marks luajit scripts/plain_busted.lua --coverage spec/steps_spec.lua
 ---   luajit scripts/coverage.lua build/*.marks
 ---
 --- Each file of the core is loaded with a mark in front of every statement that begins a line; it
@@ -154,7 +154,7 @@ function coverage.report(known, paths)
   return table.concat(out, "\n") .. "\n"
 end
 
--- Adds what a run has written (scripts/coverage_helper.lua) to `known`.
+-- Adds what a run has written (scripts/coverage_marks.lua) to `known`.
 local function readMarks(known, source)
   for entry in io.lines(source) do
     local path, line = entry:match("^(.*) (%d+)$")
