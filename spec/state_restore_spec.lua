@@ -284,12 +284,12 @@ describe("ownFields", function()
     local world, cycle = newScene({ "hp", "bag" }), {}
     cycle.again = cycle
     for _, row in ipairs({
-      { print, "hp must be a number, string, boolean or a table of these, got function" },
+      { print, "hp must be a number, string, boolean or a table of these, without a cycle, got" },
       { 0 / 0, "got nan" },
       { math.huge, "got inf" },
       { { 1, { print } }, "objects.men[2].hp must be" },
-      { { [true] = 1 }, "the key of a table in objects.men[2].hp must be" },
-      { cycle, "tables in tables, or a cycle" },
+      { { [true] = 1 }, "objects.men[2].hp must be" },
+      { cycle, "without a cycle, got table" },
     }) do
       world.objects.men[2].hp = row[1]
       refused(row[2], world, "save")
@@ -311,7 +311,7 @@ describe("ownFields", function()
       own = { 1, "state.own must be a list of names of fields, got 1" },
       ["own[1]"] = { "x", "state.own[1] must be the name of a field of your own" },
       ["fields.hp[1]"] = { 99, "state.fields.hp[1] must be an integer in 1..5, got 99" },
-      ["fields.hp[2]"] = { print, "objects.doors[1].hp must be a number" },
+      ["fields.hp[2]"] = { print, "state.fields.hp[2] must be a number" },
     }) do
       local world = newScene({ "hp", "bag" })
       local state = world:save()

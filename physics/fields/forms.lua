@@ -43,7 +43,7 @@ function forms.copy(value, into)
   return copy
 end
 
--- Returns a copy of a mask or an area. Many tiles have the same mask; those in a row share the copy.
+-- Returns a copy of a mask or an area. Many tiles have the same mask: those in a row share it.
 local function keepTable(b, given)
   if not forms.isSame(given, b.keptTable) then
     b.keptTable = forms.copy(given)

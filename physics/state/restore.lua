@@ -102,7 +102,7 @@ end
 local function writeField(st, objects, row)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
   local isDense = format.isDense(row)
-  for n = 1, st.count + (row.type == "own" and 0 or st.gone) do
+  for n = 1, st.count + (row.isOwn and 0 or st.gone) do
     local object, value = objects[n], nil
     if isDense then
       value = list[n] or nil
