@@ -49,10 +49,8 @@ local function misfit(world, st)
     local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
     local here = type(members) == "table" and not check.isObject(members) and #members or 0
     if isNumbered and count ~= here and here > 0 then
-      return (
-        "%s has %d objects in the state and %d here: numbers shift when an object is removed,"
-        .. " so your own fields may be on other objects. String keys stay."
-      ):format(check.place(group.name), count, here)
+      local text = "%s has %d objects in the state and %d here: numbers shift, string keys stay"
+      return text:format(check.place(group.name), count, here)
     end
   end
 end
