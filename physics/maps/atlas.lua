@@ -4,8 +4,8 @@
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".fields.check")
-local keyOrder = require(root .. ".memory.keyOrder")
 local level = require(root .. ".maps.level")
+local properties = require(root .. ".maps.properties")
 
 local atlas = {}
 
@@ -38,9 +38,7 @@ local function join(self, made)
       list[#list + 1] = entry
     end
   end
-  for _, name in ipairs(keyOrder.sorted(made.named)) do
-    self.named[name] = self.named[name] or made.named[name]
-  end
+  self.named = properties.join(made.named, self.named)
   self.tiles, self.rectangles = self.tiles + made.tiles, self.rectangles + made.rectangles
 end
 
