@@ -59,6 +59,7 @@ build = {
     ["physics.maps.tiled.tileset"] = "physics/maps/tiled/tileset.lua",
     ["physics.maps.tiles"] = "physics/maps/tiles.lua",
     ["physics.memory.allot"] = "physics/memory/allot.lua",
+    ["physics.memory.arrays"] = "physics/memory/arrays.lua",
     ["physics.memory.columns"] = "physics/memory/columns.lua",
     ["physics.memory.compiler"] = "physics/memory/compiler.lua",
     ["physics.memory.initial"] = "physics/memory/initial.lua",

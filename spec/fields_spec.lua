@@ -44,7 +44,7 @@ local ON_LAND = {
       .. '  { name = "onLand", type = "function", event = "alone" },\n',
   },
   ["physics/memory/layout.lua"] = {
-    "  carrier = 0, -- slot of what carries it",
+    "  carrier = WHOLE, -- slot of what carries it",
     "  stood = false, -- it stood on something at the end of its last step\n",
   },
   ["physics/state/format.lua"] = {

@@ -76,7 +76,8 @@ local function listNew(b, count)
       asker, stamp, at = i, markNeighbours(b, i), strayAt[i]
     end
     local isNew = mark[j] ~= stamp and strayAt[j] > at
-    if isNew and min(crowd[2 * i] or 0, crowd[2 * j] or 0) <= 0 and not filter.reason(b, i, j) then
+    local isCrowd = max(i, j) <= b.lastBody and min(crowd[2 * i], crowd[2 * j]) > 0
+    if isNew and not isCrowd and not filter.reason(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end

@@ -85,7 +85,9 @@ end
 
 -- Each field has a column.
 for _, row in ipairs(fields.columned) do
-  layout.add(row.column, forms.absent(row), row.axis ~= nil, row.moves)
+  local absent = forms.absent(row)
+  local isPlain = type(absent) == (row.type or "number")
+  layout.add(row.column, absent, row.axis ~= nil, row.moves, isPlain)
 end
 
 return forms

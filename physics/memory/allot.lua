@@ -9,14 +9,15 @@
 -- Writes all columns of new and of moved bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local arrays = require(root .. ".memory.arrays")
 local initial = require(root .. ".memory.initial")
 local layout = require(root .. ".memory.layout")
 
 local allot = {}
 
 local floor, max, min, remove = math.floor, math.max, math.min, table.remove
----@type any, any, any
-local EVERY, BODY, PAIR = layout.EVERY, layout.BODY, layout.PAIR
+---@type any, any
+local EVERY, BODY = layout.EVERY, layout.BODY
 --- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
 allot.GROUP_SPAN = 4294967296
 -- Slots are prepared ahead: for what is coming, and one for each so many that are in use.
@@ -24,15 +25,36 @@ local AHEAD = 8
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
 -- there is room for one in MORE of all of them on top.
 local ROOM, MORE = 8, 2
+-- Places in the first array of a column.
+local FIRST = 16
+
 local function fill(column, first, last, value)
   for at = first, last do
     column[at] = value
   end
 end
 
+--- Makes room in some columns for the index `last`.
+function allot.reserve(b, rows, last)
+  local old = b.reserved[rows]
+  local count = max(last + 1, FIRST, 2 * old)
+  for n = 1, last >= old and #rows.names or 0 do
+    local name, width = rows.names[n], rows.widths[n]
+    b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
+    b.reserved[rows] = count
+  end
+  -- What acts on a body, with zones and without (see zones).
+  if b.hasZones then
+    b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
+  else
+    b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag
+  end
+end
+
 -- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
 -- take twice as long.)
 local function blank(b, rows, first, last)
+  allot.reserve(b, rows, last)
   for n = 1, first <= last and #rows.names or 0 do
     local width = rows.widths[n]
     local shift = width == 4 and 1 or 0 -- sides are 1 to 4
@@ -60,14 +82,13 @@ end
 local function make(b)
   b.fatLow, b.fatHigh = nil, nil -- they become columns
   add(b, layout.OTHERS)
-  for _, rows in ipairs({ EVERY, BODY, PAIR }) do
+  for _, rows in ipairs({ EVERY, BODY, layout.PAIR, layout.LINKS }) do
     add(b, rows.names)
+    b.reserved[rows] = 0
     blank(b, rows, 0, 0)
   end
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
-  b.next[0], b.previous[0], b.size[0], b.size[1] = 0, 0, -1, -1
-  -- What acts on a body, where there are no zones (see zones).
-  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag
+  b.size[0], b.size[1] = -1, -1
 end
 
 -- Gives the columns that each slot has their first values up to the slot `last`.

@@ -32,6 +32,11 @@ function columns.kindOf(object, isStatic)
   return isStatic and columns.STATIC or object.kinematic and columns.KINEMATIC or columns.DYNAMIC
 end
 
+--- Returns the highest slot that has a place in a column.
+function columns.lastOf(b, name)
+  return layout.isOfBodies[name] and b.lastUsed or b.slots
+end
+
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 --- The same of a ball in a heap, which is pushed to and fro by less.
@@ -96,6 +101,9 @@ end
 
 -- Takes `count` free pairs for b.linkOne[1..count] and b.linkOther[1..count] into b.linked.
 local function takePairs(b, count)
+  local last = b.pairSlots + max(0, count - b.freePairCount)
+  allot.reserve(b, PAIR, last)
+  allot.reserve(b, layout.LINKS, last)
   local free, have, linked = b.freePairs, b.freePairCount, b.linked
   local ones, others, pairA, pairB, used = b.linkOne, b.linkOther, b.pairA, b.pairB, b.pairSlots
   for n = 1, count do

@@ -37,13 +37,6 @@ compiler.INTERPRETED = {
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",
   ["world.class"] = "search",
-  -- What takes another path for each pair, and would become hundreds of traces. Least times of
-  -- three runs: `spawn` of 100, median 0.52 -> 0.40 ms, p99 1.9 -> 1.0 ms; `swarm` of 300
-  -- 1.64 -> 1.51, 2.5 -> 2.2; `zones` of 200, p99 2.9 -> 2.3.
-  ["contacts.contactState"] = "*",
-  ["contacts.events"] = "*",
-  ["solver.impact"] = "*",
-  ["solver.rounds"] = "sortImpacts isSpent isTorn isDisturbed change meet happen run",
 }
 
 local exported = {} -- functions that modules give to others, while it works

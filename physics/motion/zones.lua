@@ -58,7 +58,7 @@ end
 -- Where k is `time` s after the beginning of the step, if nothing acts on it. (A static object that
 -- lies alone has no velocity.)
 local function place(b, k, time)
-  return b.from[k] + (b.velocity[k] or 0.0) * time
+  return b.from[k] + (k < 2 * b.lastBody + 2 and b.velocity[k] or 0.0) * time
 end
 
 -- The share of slot i, 0..1, that is in zone j, if that acts on it at all.

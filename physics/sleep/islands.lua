@@ -70,7 +70,7 @@ end
 
 --- Takes an object out of the list of awake bodies.
 function islands.drop(b, i)
-  if b.awake[i] then
+  if i <= b.lastBody and b.awake[i] then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
     b.awakeList[at], b.awakeAt[last] = last, at
     b.awakeCount, b.awake[i], b.awakenings = b.awakeCount - 1, false, b.awakenings + 1

@@ -192,21 +192,23 @@ end
 
 local function restoreColumn(b, list, slots, entry)
   local column, width, usual = b[entry[1]], entry[2], entry[3]
+  local last = columns.lastOf(b, entry[1])
   local model, y, hint = b[usual], width - 1, entry.hint
   if hint then
     b[hint] = b[hint] or #list > 0
   end
   for n = 1, #slots do
     local k = width * slots[n]
-    if column[k] ~= nil then -- else it is static, and has no place there
+    if slots[n] <= last then -- else it is static, and has no place there
       column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
     end
   end
   for at = 1, #list, 1 + width do
     local k = width * slots[list[at]]
     if entry.isLink then
-      column[k] = allot.embody(b, slots[list[at + 1]])
-    elseif column[k] ~= nil then
+      local j = allot.embody(b, slots[list[at + 1]])
+      b[entry[1]][k] = j -- (the column may have grown)
+    elseif slots[list[at]] <= last then
       column[k], column[k + y] = list[at + 1], list[at + 1 + y]
     end
   end
