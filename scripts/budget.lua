@@ -6,18 +6,18 @@
 
 local BUDGET = {
   { "physics.lua", 94 },
-  { "physics/broadphase", 644 },
+  { "physics/broadphase", 645 },
   { "physics/contacts", 368 },
-  { "physics/fields", 651 },
+  { "physics/fields", 653 },
   { "physics/maps", 2177 },
-  { "physics/memory", 828 },
-  { "physics/motion", 980 },
-  { "physics/objects", 1180 },
+  { "physics/memory", 880 },
+  { "physics/motion", 984 },
+  { "physics/objects", 1179 },
   { "physics/queries", 780 },
   { "physics/sleep", 80 },
-  { "physics/solver", 3836 },
+  { "physics/solver", 3839 },
   { "physics/space", 393 },
-  { "physics/state", 853 },
+  { "physics/state", 856 },
   { "physics/world", 1398 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

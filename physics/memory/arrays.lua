@@ -3,7 +3,8 @@
 --
 -- Compiled code reads a typed array without checks of type and length, and has whole numbers at
 -- once as indexes. Piles, crowds and bullets take two thirds of the time. Interpreted code takes
--- longer, so this is chosen with the first object: a game that turns the compiler off does so before.
+-- longer. So this is chosen when the first object comes: a game that turns the compiler off does so
+-- before.
 --
 -- A typed array has a length: to grow, a column becomes another array. So nothing may hold a column
 -- in a local variable while objects come or pairs are linked. Beyond its length there is no check.

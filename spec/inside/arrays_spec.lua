@@ -1,0 +1,92 @@
+--- Columns in typed arrays (physics/memory/arrays.lua): LuaJIT checks no index of them. Here tables
+--- stand for them that check all, and that know when they are no column any more.
+
+local fresh = require("spec.support.fresh")
+
+-- The first value of each kind, and whether it may hold another one.
+local FIRST = { double = 0, int32_t = 0, bool = false }
+
+local function fits(kind, value)
+  local isWhole = kind ~= "int32_t" or value % 1 == 0 and math.abs(value) < 2 ^ 31
+  return type(value) == type(FIRST[kind]) and isWhole
+end
+
+-- Returns a column with places from 0 to `last`, which takes over the values of `old`. A call of it
+-- ends it, and returns its values.
+local function guarded(kind, last, old)
+  local values, isGone = old and old() or {}, false
+  for k = #values + 1, last do
+    values[k] = FIRST[kind]
+  end
+  values[0] = values[0] or FIRST[kind]
+  local function at(k)
+    local text = "place %s of 0 to %d, of an array that is%s a column"
+    assert(
+      not isGone and k >= 0 and k <= last and k % 1 == 0,
+      text:format(k, last, isGone and " no more" or "")
+    )
+    return k
+  end
+  return setmetatable({}, {
+    __index = function(_, k)
+      return values[at(k)]
+    end,
+    __newindex = function(_, k, value)
+      assert(fits(kind, value), tostring(value))
+      values[at(k)] = value
+    end,
+    __call = function()
+      isGone = true
+      return values
+    end,
+  })
+end
+
+local function guard(arrays)
+  function arrays.grow(kind, column, width, old, count)
+    return kind and guarded(kind, width * count, old > 0 and column) or column
+  end
+end
+
+-- Frames of a scene of the benchmark.
+local function play(name, n, frames)
+  package.loaded["bench.engines.ours"] = nil
+  local scenes, ours = require("bench.scenes"), require("bench.engines.ours")
+  local scene = scenes.build(name, n)
+  local world = ours.new(scene)
+  for step = 1, frames do
+    if scene.between then
+      scene.between(world, step)
+    end
+    scene.frame(world, step)
+  end
+  package.loaded["bench.engines.ours"] = nil
+end
+
+describe("typed arrays: no place beyond its end and no old array is used", function()
+  local SCENES = {
+    { "pile", 60 },
+    { "level", 300 },
+    { "gas", 60 },
+    { "balls", 60 },
+    { "zones", 30 },
+    { "swarm-ax", 30 },
+    { "swarm-soft-kite", 30 },
+    { "bullets", 100 },
+    { "lifts", 10 },
+    { "asking", 40 },
+    { "spawn", 60 },
+    { "rest", 60 },
+    { "restore", 60 },
+    { "spot-corner", 20 },
+    { "turning", 30 },
+  }
+  for _, row in ipairs(SCENES) do
+    it(("in %s of %d"):format(row[1], row[2]), function()
+      fresh.during(function()
+        guard(require("physics.memory.arrays"))
+        play(row[1], row[2], 20)
+      end)
+    end)
+  end
+end)
