@@ -17,7 +17,7 @@ local ROUNDING = 1e-9
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
 -- A game has its world, `movers`, `solids`, `room`, `carried` (px that a frame may add to a way),
--- and functions `act(frame)` and `check(frame)`, which returns what is wrong.
+-- and functions `act(frame, dt)` and `check(frame)`, which returns what is wrong.
 local function newGame(settings, width, height)
   local world = physics.newWorld(settings)
   local game = {
@@ -180,7 +180,7 @@ function kinds.survivors(random)
   end
   local speed, walk = random:integer(40, 100), random:chance(0.5) and 80 or 0
   local turn, wayX, wayY = 0, 0, 0
-  function game.act(frame)
+  function game.act(frame, dt)
     if turn == 0 then
       turn, wayX, wayY = random:integer(20, 90), random:integer(-1, 1), random:integer(-1, 1)
     end
@@ -192,8 +192,9 @@ function kinds.survivors(random)
       local far = max(math.sqrt(dx * dx + dy * dy), 1)
       enemy.vx, enemy.vy = speed * dx / far, speed * dy / far
     end
-    -- What overlaps parts by up to a quarter of its size; the watcher allows a sixteenth.
-    game.carried = frame < 60 and 40 or walk / 30 + size * 3 / 16
+    -- What overlaps parts by up to a quarter of its size; the watcher allows a sixteenth. Soft ones
+    -- part as fast as `soft` says.
+    game.carried = frame < 60 and 40 or walk / 30 + size * 3 / 16 + (soft or 0) * dt
   end
   function game.check()
     for n = 2, #game.movers do
@@ -413,7 +414,7 @@ function games.play(kind, seed, frames)
   local game, dt = kinds[kind](random), random:pick(RATES)
   local watched = watcher.new(game.world, game.room)
   for frame = 1, frames do
-    game.act(frame)
+    game.act(frame, dt)
     watcher.note(watched, game.movers)
     game.world:update(dt)
     local check, text = watcher.check(watched, game.movers, game.solids, dt, game.carried)
