@@ -17,6 +17,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
+local settle = require(root .. ".solver.settle")
 
 local pool = {}
 
@@ -29,9 +30,9 @@ local PASSES = 8
 -- What is pushed by something stronger counts as this share of its mass.
 local WEAK = 0.2
 
---- Returns what the blocks of a world need while they are made, all by body: `member` lists the
---- bodies in blocks. At the root of a block, the others are sums over its members.
-function pool.new()
+-- Returns what the blocks of a world need while they are made, all by body: `member` lists the
+-- bodies in blocks. At the root of a block, the others are sums over its members.
+local function newBlocks()
   return {
     count = 0,
     member = {},
@@ -196,18 +197,6 @@ local function stopBoth(b, low, high)
   return hasMoved
 end
 
---- Gives body m, which presses k, the speed of that. If k itself is pressed off what holds it
---- (`base`: the speed of that; nil: nothing does), the two share their momentum, but k is never
---- faster towards its holder than that goes. `sign`: 1 if k is held on its low side.
-function pool.press(b, m, k, massM, massK, base, sign)
-  local speed = b.speed
-  if base and (speed[k] - base) * sign > 0 then
-    local v = (massK * speed[k] + massM * speed[m]) / (massK + massM)
-    speed[k] = (v - base) * sign > 0 and v or base
-  end
-  speed[m], b.accel[m] = speed[k], b.accel[k]
-end
-
 --- Notes that body m leans on k, towards low coordinates (`sign` 1) or high ones (-1): what holds k
 --- holds it, too.
 function pool.lean(b, m, k, sign)
@@ -240,7 +229,7 @@ local function follow(b, m, k, place, sign)
   b.to[m] = limit(b, m, b.to[m], place, origin(b, m), sign)
   if (speed[k] - speed[m]) * sign > 0 then
     local base = held[k] > 0 and b.give[k] > 0 and speed[holder[k]]
-    pool.press(b, m, k, mass[m], mass[k], base, sign)
+    settle.press(b, m, k, mass[m], mass[k], base, sign)
     speed[m] = limit(b, m, v, speed[m], 0, sign)
   end
   pool.lean(b, m, k, sign)
@@ -370,6 +359,7 @@ end
 --- Makes one block of kUp and kLow, because friction holds the upper one to the lower one after it
 --- has slipped `slipped` px.
 function pool.glue(b, kUp, kLow, slipped, dt)
+  b.blocks = b.blocks or newBlocks()
   register(b, kUp, dt)
   register(b, kLow, dt)
   local up, offUp = find(b, kUp)
@@ -416,7 +406,7 @@ end
 --- settled again: a block is between two that cannot give way, or two of one block overlap.
 function pool.run(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
-  b.isUnsettled = false
+  b.isUnsettled, b.blocks = false, b.blocks or newBlocks()
   for n = 1, PASSES do
     local hasChanged
     if (n % 2 == 0) == isTurned then

@@ -21,12 +21,11 @@ local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
-local impact = require(root .. ".solver.impact")
+local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
-local pool = require(root .. ".solver.pool")
 local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
 local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
@@ -51,7 +50,6 @@ local RESTARTS = 8
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
-  b.blocks = pool.new()
   b.impacts = sweep.newImpacts()
 end
 
