@@ -17,7 +17,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
-local settle = require(root .. ".solver.settle")
 
 local pool = {}
 
@@ -229,7 +228,7 @@ local function follow(b, m, k, place, sign)
   b.to[m] = limit(b, m, b.to[m], place, origin(b, m), sign)
   if (speed[k] - speed[m]) * sign > 0 then
     local base = held[k] > 0 and b.give[k] > 0 and speed[holder[k]]
-    settle.press(b, m, k, mass[m], mass[k], base, sign)
+    path.press(b, m, k, mass[m], mass[k], base, sign)
     speed[m] = limit(b, m, v, speed[m], 0, sign)
   end
   pool.lean(b, m, k, sign)

@@ -9,7 +9,7 @@
 -- 2. Free bodies that press each other become blocks with a common velocity (see pool.lua).
 --
 -- For example, a box that touches a wall when the step begins, and is pushed against it, ends flush
--- with it (`hold`) at the speed of the wall (`press`). What pushes it is held in the same way.
+-- with it (`hold`) at the speed of the wall (`path.press`). What pushes it is held in the same way.
 -- A box that comes to the wall inside the step has an impact (`stick` in impact.lua), and is a
 -- contact from then on.
 --
@@ -89,18 +89,6 @@ local function withstands(b, m, k, wall, sign)
   return isFirm and (b.to[wall] - b.from[wall]) * sign <= 0
 end
 
---- Gives body m, which presses k, the speed of that. If k itself is pressed off what holds it
---- (`base`: the speed of that; nil: nothing does), the two share their momentum, but k is never
---- faster towards its holder than that goes. `sign`: 1 if k is held on its low side.
-function settle.press(b, m, k, massM, massK, base, sign)
-  local speed = b.speed
-  if base and (speed[k] - base) * sign > 0 then
-    local v = (massK * speed[k] + massM * speed[m]) / (massK + massM)
-    speed[k] = (v - base) * sign > 0 and v or base
-  end
-  speed[m], b.accel[m] = speed[k], b.accel[k]
-end
-
 -- Puts bodies flush against what holds them, from immovable bodies on: against what holds them on
 -- their low side, along the list (`sign` 1), or on their high side, back along it (-1). What is
 -- held on the other side already is squeezed. Returns whether something was.
@@ -131,7 +119,7 @@ local function hold(b, list, slow, sign)
             to[m] = place
           end
           if closing > 0 then
-            settle.press(b, m, k, 1 / give[m], 1 / give[k], give[k] > 0 and speed[wall[k]], sign)
+            path.press(b, m, k, 1 / give[m], 1 / give[k], give[k] > 0 and speed[wall[k]], sign)
           end
         elseif over > EPSILON and held[k] ~= FAR and (held[m] == 0 or b.squeezed[m] * sign > 0) then
           squeeze(b, m, k, over, sign, opposite, held, wall)
