@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1179 },
   { "physics/queries", 780 },
   { "physics/sleep", 80 },
-  { "physics/solver", 3831 },
+  { "physics/solver", 3799 },
   { "physics/space", 393 },
   { "physics/state", 856 },
   { "physics/world", 1398 },

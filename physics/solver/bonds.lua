@@ -122,12 +122,8 @@ local function endSlip(b, list, n)
     return false
   end
   pull(b, list, n, 0.0)
-  if speed[low] == outset[low] then
-    stand(b, list, n)
-  else
-    list.state[n] = BOND
-    list.slipped[n] = slip * last < 0 and slip * slip / (slip - last) * 0.5 * b.dt or 0.0
-  end
+  list.state[n] = BOND
+  list.slipped[n] = slip * last < 0 and slip * slip / (slip - last) * 0.5 * b.dt or 0.0
   return true
 end
 

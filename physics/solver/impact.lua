@@ -121,7 +121,7 @@ end
 
 -- Lets the bodies of an impact rub along the other axis. The impulse `jolt` acts at once, then
 -- `press` until the end of the step; both are along the normal.
-local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
+local function rub(b, i, j, axis, jolt, press, tau, dt)
   local mu = friction.coefficient(b, i, j)
   if mu <= 0 then
     return
@@ -129,10 +129,6 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   local kl, kh = 2 * i + 1 - axis, 2 * j + 1 - axis
   local il, ih = b.give[kl], b.give[kh]
   if il > 0 and ih > 0 then
-    local k = wl == 0 and kl or wh == 0 and kh
-    if k and b.grip[k] > 0 then
-      bear(b, k, jolt, press, tau, dt)
-    end
     rubBoth(b, kl, kh, mu, jolt, press, tau)
   elseif il + ih > 0 then
     local k = il > 0 and kl or kh
@@ -232,7 +228,7 @@ local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt
   reflow(b, kh, tau, dt)
   if b.hasFriction and v > 0 then
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
-    rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
+    rub(b, i, j, axis, jolt, press, tau, dt)
   end
   return not leaves
 end

@@ -224,16 +224,14 @@ end
 -- No way out --------------------------------------------------------------------------------------
 
 -- Returns the first object in the order of the world that is in the way of slot i, `way` px along
--- an axis, with its middle beyond that of slot i; nil: there is none. `isApart`: what slot i
--- overlaps already does not count.
-local function blockerOn(b, i, axis, way, isApart)
+-- an axis, with its middle beyond that of slot i; nil: there is none.
+local function blockerOn(b, i, axis, way)
   local k, first = 2 * i + axis, nil
   for n = 1, listBlockers(b, i, placeOn(b, i, axis, way)) do
     local j = b.found[n]
     local m = 2 * j + axis
     local beyond = b.from[m] + b.size[m] * 0.5 - b.from[k] - b.size[k] * 0.5
-    local counts = beyond * way > 0 and not (isApart and isDeep(depthOf(b, i, j)))
-    if counts and (not first or b.rank[j] < b.rank[first]) then
+    if beyond * way > 0 and (not first or b.rank[j] < b.rank[first]) then
       first = j
     end
   end
@@ -242,10 +240,10 @@ end
 
 -- Notes slot i, which finds no way out of j, as crushed between j and what is in its shorter way
 -- along one axis. Returns whether there is anything.
-local function crush(b, i, j, axis, isApart)
+local function crush(b, i, j, axis)
   local k, low, high = 2 * i + axis, wayOut(b, i, j, axis, -1), wayOut(b, i, j, axis, 1)
   local isLow = low <= high
-  local other = blockerOn(b, i, axis, isLow and -low or high, isApart)
+  local other = blockerOn(b, i, axis, isLow and -low or high)
   if other then
     b.crushed[k], b.hasCrushed = true, true
     b.crushLow[k], b.crushHigh[k] = isLow and other or j, isLow and j or other
@@ -260,11 +258,7 @@ local function bury(b, i, j)
   b.buried[i] = true
   b.news[i] = true -- whether it finds a way out depends on walls that are not its neighbours
   if not (b.crushed[2 * i] or b.crushed[2 * i + 1]) then
-    -- A ceiling is named before the next tile of the floor.
-    local _ = crush(b, i, j, axis, true)
-      or crush(b, i, j, 1 - axis, true)
-      or crush(b, i, j, axis, false)
-      or crush(b, i, j, 1 - axis, false)
+    local _ = crush(b, i, j, axis) or crush(b, i, j, 1 - axis)
   end
 end
 

@@ -55,14 +55,6 @@ local function reach(b, i, axis, turn, x, x1, height, most)
   return last + most
 end
 
--- Whether slot j, which body k would be put onto, is held, and the two do not go apart.
-local function bears(b, j, k, turn)
-  local m = 2 * j + k % 2
-  local isHeld = b.kind[j] ~= DYNAMIC or (turn > 0 and b.heldHigh[m] or b.heldLow[m]) > 0
-  local closing = (b.speed[k] - b.speed[m]) * turn
-  return isHeld and max(closing, b.speed[k] * turn) >= -EPSILON
-end
-
 -- Puts slot i onto slot j, at a height, unless the game lets it pass.
 local function put(b, i, j, k, turn, height)
   local m, place, v, a = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k]
@@ -99,9 +91,7 @@ local function lower(b, i, most, dt)
   local isLower = height > here + EPSILON and height <= low + EPSILON
   if j ~= 0 and isLower and not shapes.isRound[b.shape[j]] then
     j = allot.embody(b, j)
-    if bears(b, j, k, turn) then
-      put(b, i, j, k, turn, height)
-    end
+    put(b, i, j, k, turn, height)
   end
 end
 

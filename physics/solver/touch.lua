@@ -23,8 +23,6 @@ local EPSILON, SLACK = columns.EPSILON, columns.SLACK
 local isBox, isSlope, SOLID = shapes.isBox, shapes.isSlope, shapes.SOLID
 local axisOf, depth = path.axisOf, shapes.depth
 local max, min = math.max, math.min
--- Impacts of a body in a step until which it is deflected without gravity.
-local DEFLECTED = 3
 
 --- Returns whether two leave each other over their own faces: a box and a slope. (Two slopes, of
 --- which one is a sensor, are boxes.)
@@ -242,7 +240,7 @@ function touch.deflect(b, i, j, axis, lean, r, isLate, o, v, a, u, tau)
   local way, change = o, max(v, 0.0)
   if r > 0 then
     way, change = o + r * u * tau - a * tau * tau * 0.5, v - a * tau + r * u
-  elseif isLate or not isFloating(b, box) or b.impactsOf[box] > DEFLECTED then
+  elseif isLate or not isFloating(b, box) then
     return false
   end
   local k, t, shape = 2 * box + axis, 2 * box + 1 - axis, b.shape[its]
