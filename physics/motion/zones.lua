@@ -128,7 +128,7 @@ end
 local function act(b, list, count, j, time, what)
   for n = 1, b.active[j] and count or 0 do
     local i = list[n]
-    local share = b.kind[i] == DYNAMIC and shareIn(b, i, j, time) or 0.0
+    local share = shareIn(b, i, j, time)
     if share > 0 then
       what(b, i, j, share, time)
     end
