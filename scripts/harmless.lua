@@ -105,4 +105,16 @@ return {
     "local yields = isEven and b.rank[floor(one * 0.5)] <= b.rank[floor(other * 0.5)]",
     "no two have one rank",
   },
+  {
+    "physics/solver/touch.lua",
+    "if axis ~= axisOf(b, i) or (side % 2 == 0) ~= (SOLID[axis][shape] > 0) then",
+    "if axis ~= axisOf(b, i) or (side % 2 == 0) ~= (SOLID[axis][shape] >= 0) then",
+    "of a slope it is 1 or -1",
+  },
+  {
+    "physics/space/shapes.lua",
+    "if sign > 0 then",
+    "if sign >= 0 then",
+    "of a slope it is 1 or -1",
+  },
 }
