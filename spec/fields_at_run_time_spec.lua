@@ -5,6 +5,7 @@ local fields = require("physics.fields.fields")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
 local DT = 1 / 60
 -- Before which update something happens. An object that is put elsewhere is read anew, so a field
@@ -137,9 +138,7 @@ describe("every field: of an object that had none", function()
     local player, count = build(), 0
     player.box.vx = 0
     player.world:remove(player.others[2])
-    for _ = 1, LAST do
-      player.world:update(DT)
-    end
+    small.run(player.world, LAST)
     local function listen()
       count = count + 1
     end

@@ -4,6 +4,7 @@
 local read = require("spec.support.files").read
 local fields = require("scripts.meanings")
 local fresh = require("spec.support.fresh")
+local small = require("spec.support.small")
 
 for _, list in ipairs({ "objects", "area", "settings" }) do
   local names = {}
@@ -247,9 +248,7 @@ describe("every callback: a new one needs one row, and a place that notices it: 
       local function move(y, steps)
         world:remove(world.objects.floor[1])
         world:add("floor", { x = 0, y = y, width = 50, height = 10, static = true })
-        for _ = 1, steps do
-          world:update(1 / 60)
-        end
+        small.run(world, steps)
       end
       move(10, 9)
       twin:restore(world:save())
@@ -315,9 +314,7 @@ describe("every field: that of a new shape needs a row that says what it is: it"
       local wall = world:add("walls", { x = 200, y = 300, width = 20, height = 100, static = true })
       local capsule = world:add("capsules", newCapsule({ y = 300, mass = 1e6 }))
       local box = world:add("boxes", { x = 113, y = 200, width = 10, height = 10 })
-      for _ = 1, 240 do
-        world:update(1 / 60)
-      end
+      small.run(world, 240)
       assert.same({ 340, 0, 390 }, { capsule.y, capsule.vy, box.y })
       assert.equal(world.objects.floor[1], capsule.touching.bottom)
       world:remove(box)
@@ -349,9 +346,7 @@ describe("every field: that of a new shape needs a row that says what it is: it"
         add("floor", { static = true }, -500, 100, 2000, 20)
         add("capsules", { capsule = true }, 100, 80, 60, 20)
         local upper = add("capsules", { capsule = true }, 152, 72, 60, 20)
-        for _ = 1, 9 do
-          world:update(1 / 60)
-        end
+        small.run(world, 9)
         places[turned] = { upper[names[1]], upper[names[2]] }
       end
       assert.same(places[1], places[2])

@@ -353,9 +353,7 @@ describe("world:addTiles refuses", function()
       end
       return true
     end
-    for _ = 1, 9 do
-      world:update(1 / 60)
-    end
+    small.run(world, 9)
     assert.is_true(#messages >= 3)
     assert.is_nil(world.objects.more or world.objects.Player or world.objects.all)
   end)

@@ -190,9 +190,7 @@ describe("area: a zone", function()
 
   it("is in states, and a restored world goes on with the same bits", function()
     local world, its, object = newWorld({ gravity = -500, ax = 3, law = "square", attract = 20 })
-    for _ = 1, 30 do
-      world:update(DT)
-    end
+    small.run(world, 30)
     local saved, area, other = world:save(), its.area, physics.newWorld()
     other:restore(saved)
     assert.are.same(area, other.objects.zones[1].area)

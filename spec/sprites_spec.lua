@@ -1,6 +1,7 @@
 --- Sprites: where `world:interpolate` puts them, and the functions of docs/guide/sprites.md.
 
 local physics = require("physics")
+local small = require("spec.support.small")
 local snippets = require("spec.support.snippets")
 
 -- A step of 0.25 s: what moves at 40 px/s is 10 px further after it, and 20 px higher at -80.
@@ -96,9 +97,7 @@ describe("x, y and touching: a sprite of docs/guide/sprites.md", function()
       game.world:update(1 / 60)
       seen[n] = stateOf(player)
     end
-    for _ = 1, 24 do
-      game.world:update(1 / 60)
-    end
+    small.run(game.world, 24)
     seen[4] = stateOf(player)
     assert.same({ "stand", "run", "jump", "fall" }, seen)
   end)

@@ -4,6 +4,7 @@
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
+local small = require("spec.support.small")
 local trial = require("spec.fuzz.trial")
 
 effort.interpretQuickly(setup, teardown)
@@ -77,9 +78,7 @@ describe("a review has found that", function()
       end
       local other = { x = 900, y = 52, width = 8, height = 8, friction = 1, gravity = gravity }
       world:add("others", other)
-      for _ = 1, 100 do
-        world:update(1 / 60)
-      end
+      small.run(world, 100)
       return boxes
     end
     local boxes = play(0)

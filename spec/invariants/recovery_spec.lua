@@ -4,6 +4,7 @@
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
+local small = require("spec.support.small")
 
 effort.interpret(setup, teardown)
 
@@ -109,9 +110,7 @@ end
 
 local function run(count)
   return function(scene)
-    for _ = 1, count do
-      scene.world:update(DT)
-    end
+    small.run(scene.world, count)
   end
 end
 

@@ -6,6 +6,7 @@ local busy = require("spec.support.busy")
 local effort = require("spec.support.effort")
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local long = effort.isFirst and it or pending
 
@@ -38,9 +39,7 @@ describe("y and vy: what falls for ever", function()
         world:add("boxes", box)
       end
       local function fall(steps)
-        for _ = 1, steps do
-          world:update(1 / 60)
-        end
+        small.run(world, steps)
         return busy.memory()
       end
       fall(effort.share(2000, 1500))

@@ -12,6 +12,7 @@ local motion = require("spec.support.motion")
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
+local small = require("spec.support.small")
 
 local long = effort.isFirst and it or pending
 
@@ -186,9 +187,7 @@ describe("x, vx and pushable: a crowd", function()
         for _ = 1, count do
           world:add("bodies", { x = -5, y = -5, width = 10, height = 10 })
         end
-        for _ = 1, 60 do
-          world:update(1 / 60)
-        end
+        small.run(world, 60)
         for _, body in ipairs(world.objects.bodies) do
           local column, line = body.x / 10 + columns / 2, body.y / 10 + rows / 2
           cells[1 + math.floor(column + 0.5) + columns * math.floor(line + 0.5)] = true

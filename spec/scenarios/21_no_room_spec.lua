@@ -5,13 +5,12 @@
 local effort = require("spec.support.effort")
 local fold = require("spec.support.fold")
 local motion = require("spec.support.motion")
-local newOverlaps = require("spec.support.overlap").checker
 local newRandom = require("spec.support.random").new
+local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local scene = require("spec.support.scene")
 
 local APART, REST, REST_OF_MANY = 1, 2, 3 -- s
-local DEPTH = 0.01 -- px; two that overlap by less are apart
 local STILL = 0.5 -- s, how long nothing may move
 
 local LEVELS = {
@@ -84,14 +83,6 @@ end
 local function build(run, description)
   local named = run:build(description)
   return named, motion.new(run.world, run.all)
-end
-
-local function expectApart(run, most)
-  local deepest, a, b = newOverlaps(run.all)()
-  if deepest > (most or DEPTH) then
-    local text = "two still overlap by %.9g px, at %.9g, %.9g and %.9g, %.9g"
-    run:check(false, text, deepest, a.x, a.y, b.x, b.y)
-  end
 end
 
 -- Fails unless nothing moves by a bit for half a second.
@@ -210,9 +201,9 @@ describe("x and y: boxes at one spot", function()
       local description = join({ gravity = row[2].gravity }, row[2])
       local _, watch = build(run, join(description, row[3]))
       scene.watch(run, watch, APART)
-      expectApart(run)
+      overlap.expectApart(run)
       scene.watch(run, watch, REST)
-      expectApart(run)
+      overlap.expectApart(run)
       expectRest(run, watch)
     end)
   end
@@ -237,7 +228,7 @@ describe("x and y: boxes at one spot", function()
         end
         scene.watch(run, watch, fling < 3 and 0.5 or 3.5)
       end
-      expectApart(run)
+      overlap.expectApart(run)
       expectRest(run, watch)
     end)
   end)
@@ -277,7 +268,7 @@ describe("x, y and width: a closed room", function()
       end
       watch = motion.new(run.world, run.all)
       scene.watch(run, watch, 3 * APART)
-      expectApart(run)
+      overlap.expectApart(run)
     end)
   end)
 
@@ -322,7 +313,7 @@ describe("add: a heap", function()
         end
       end)
       scene.watch(run, watch, 1.5)
-      expectApart(run, 0.2) -- ten of 12 px fill a row exactly
+      overlap.expectApart(run, 0.2) -- ten of 12 px fill a row exactly
       scene.watch(run, watch, 1)
       expectRest(run, watch)
     end)
@@ -361,7 +352,7 @@ describe("kinematic: a machine that leaves no room", function()
         scene.watch(run, watch, 1.5)
         drive(0)
         scene.watch(run, watch, 3 * APART)
-        expectApart(run)
+        overlap.expectApart(run)
         scene.watch(run, watch, 1)
         expectRest(run, watch)
       end)

@@ -1,14 +1,16 @@
---- Knots (physics/solver/knots.lua): bodies that overlap and have no room stand still, and begin
+--- Knots (physics/solver/relax.lua): bodies that overlap and have no room stand still, and begin
 --- anew when there may be some.
 
+local overlap = require("spec.support.overlap").depth
 local physics = require("physics")
+local small = require("spec.support.small")
 
+local play = small.play
 local DT = 1 / 60
 
 -- A closet of 30 x 20 px in which two boxes of 20 px stand: 10 px too little.
-local function newCloset(settings)
-  local world = physics.newWorld(settings or {})
-  world.gravity = 800
+local function newCloset()
+  local world = physics.newWorld({ gravity = 800 })
   local closet = { world = world }
   closet.floor = world:add("walls", { x = -10, y = 20, width = 50, height = 10, static = true })
   closet.left = world:add("walls", { x = -10, y = 0, width = 10, height = 20, static = true })
@@ -17,19 +19,6 @@ local function newCloset(settings)
   closet.one = world:add("boxes", { x = 2, y = 0, width = 20, height = 20 })
   closet.two = world:add("boxes", { x = 9, y = 0, width = 20, height = 20 })
   return closet
-end
-
-local function play(world, seconds)
-  for _ = 1, seconds / DT do
-    world:update(DT)
-  end
-end
-
-local function overlap(a, b)
-  return math.min(
-    math.min(a.x + a.width, b.x + b.width) - math.max(a.x, b.x),
-    math.min(a.y + a.height, b.y + b.height) - math.max(a.y, b.y)
-  )
 end
 
 describe("x and y: a knot", function()

@@ -76,10 +76,11 @@ function overlap.checker(objects, least)
   end
 end
 
---- Fails unless all objects of a run (spec/support/scene.lua) are apart, flush or with a gap.
-function overlap.expectApart(run)
+--- Fails unless all objects of a run (spec/support/scene.lua) are apart, flush or with a gap; two
+--- that overlap by less than `most` px, default 0.01, are.
+function overlap.expectApart(run, most)
   local deepest, a, b = overlap.checker(run.all)()
-  if deepest > 0.01 then
+  if deepest > (most or 0.01) then
     local text = "two overlap by %.9g px, at %.9g, %.9g and %.9g, %.9g"
     run:check(false, text, deepest, a.x, a.y, b.x, b.y)
   end
