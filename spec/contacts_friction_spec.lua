@@ -3,18 +3,9 @@
 
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
 local unpack = rawget(_G, "unpack") or rawget(table, "unpack")
-
--- A box of 16 px with its upper left corner at x, y; the floor is at y = 0.
-local function put(x, y, friction, vx, mass, fields)
-  local object = { x = x, y = y, width = 16, height = 16, friction = friction }
-  object.vx, object.mass = vx or 0, mass or 1
-  for name, value in pairs(fields or {}) do
-    object[name] = type(name) == "string" and value or object[name]
-  end
-  return object
-end
 
 -- On a floor at y = 0, both ways.
 local LEVELS = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = { 0, 2 } }
@@ -32,7 +23,8 @@ local floors = scene.maker("floors", { static = true })
 local function on(friction, ...)
   local list = { floors("floor", -9000, 0, 18000, 16, { friction = friction }) }
   for n, row in ipairs({ ... }) do
-    local object = put(row[1], row[2], row[3], row[4], row[5], row)
+    local object = small.box(row[1], row[2], row)
+    object.friction, object.vx, object.mass = row[3], row[4] or 0, row[5] or 1
     object.name = ("abcdefghijk"):sub(n, n)
     list[n + 1] = { "boxes", object }
   end
@@ -41,16 +33,6 @@ end
 
 -- Rows of which ways and speeds are known by hand. Friction f under gravity g takes f * g off.
 describe("friction: as by hand,", function()
-  --    +--+ 60 ->          The floor is ice, the boxes rub with 0.5: they pull at each other with
-  --    +--+                400 px/s² each, so the slip ends after 60 / 800 s and 60² / 1600 px.
-  --  +------+
-  -- ===========
-  local ICE = on(0, { 0, -16, 0.5, 0, 1, width = 64 }, { 20, -32, 0.5, 60 })
-  play.row("a box slides on another on ice, and slips 2.25 px", LEVELS, ICE, {
-    { 1, "a.y == -16", "b.y == -32" },
-    "a.x ~ 28.875; b.x ~ 20 + 31.125; a.vx ~ 30; b.vx ~ 30",
-  })
-
   --   60 ->+--+       It is braked by the stack that is under more of it, and bears its weight:
   --      +--+--+      720 px/s². The other one is as high, but one crate, and smoother.
   --      |  +--+
@@ -252,19 +234,6 @@ describe("friction: what is leaned on or pushed,", function()
     { "a crate, from both sides", 700, CRATE, against(-500) },
     { "a crate, evenly", 700, CRATE, against(-700) },
     { "a crate, hard", 2000, CRATE, against(-1700) },
-  })
-
-  -- All of them go on at (ax - what friction bears) / mass. (As long as friction would stop them
-  -- within a step, it is thought to act at once, and not during the whole step.)
-  play.row("goes on by the rest: {what}", LEVELS, engine, {
-    1,
-    "a.x ~ vx / 2, 300 / run.rate ^ 2; b.x - a.x ~ 16, 300 / run.rate ^ 2; a.vx ~ vx; b.vx ~ vx",
-    "(c or a).vx ~ vx",
-  }, {
-    "what, vx, ax, B, C",
-    { "a crate", 50, 500, CRATE },
-    { "two crates", 100 / 3, 900, CRATE, NEXT },
-    { "a crate, with another behind", 200 / 3, 300, { 16, -16, nil, 0, 1, ax = 300 }, NEXT },
   })
 
   --         +--+        The crate and what stands on it weigh as much as each pusher.
