@@ -15,7 +15,7 @@ local debug = rawget(_G, "debug")
 -- library.
 local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 
---- By file: the functions that are not compiled. "*": all of it.
+--- By file: the functions that are not compiled.
 compiler.INTERPRETED = {
   -- What goes through a table by `next` or `pairs`. LuaJIT of 2022 makes code of it that may crash
   -- on x64: it reads what `next` has found through the lower half of a pointer to the stack.
@@ -66,8 +66,8 @@ local function leave(module, names)
   end
   local function visit(name, f)
     seen[f] = true
-    if wanted[name] or names == "*" then
-      pcall(jit.off, f, true) -- (it refuses one of C)
+    if wanted[name] then
+      jit.off(f, true)
     end
     local n, inner, value = 1, debug.getupvalue(f, 1)
     while inner do
