@@ -18,7 +18,7 @@ local events = {}
 
 local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
 local AT_LEFT, AT_TOP = columns.SIDE.left, columns.SIDE.top
-local max, min = math.max, math.min
+local max = math.max
 
 --- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
 events.VALUES = {
@@ -172,11 +172,7 @@ end
 --- Returns whether two slots in contact do not touch any more where they are now. (A contact with
 --- an object that has become a sensor goes on while the other one passes through it.)
 function events.isApart(b, i, j)
-  local position, size, k, m = b.position, b.size, 2 * i, 2 * j
-  local x, y = position[m] - position[k], position[m + 1] - position[k + 1]
-  local gapX, gapY = max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1])
-  local isCorner = min(gapX, gapY) >= -EPSILON and not (b.sensor[i] or b.sensor[j])
-  return max(gapX, gapY) > EPSILON or isCorner
+  return columns.gap(b, b.position, i, j) > EPSILON
 end
 
 --- Ends the contacts of a slot with all, or those for which `isOver(b, i, j)`, because the game has

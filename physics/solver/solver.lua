@@ -198,9 +198,6 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
-  if b.awakenings ~= awakenings then
-    return false
-  end
   if hasChanged or b.hasRound then
     relax.run(b, dt, hasChanged)
   end
