@@ -15,6 +15,8 @@ local pool = require(root .. ".solver.pool")
 local bonds = {}
 
 local max = math.max
+-- px by which the ways of two that move as one may differ.
+local ROUNDING = 1e-9
 -- States of a bond:
 --
 -- - BOND: both move as one, if they slip at first, then from when they are equally fast.
@@ -32,6 +34,7 @@ function bonds.new()
     limit = {}, -- maximum impulse of friction in the step
     state = {},
     tug = {}, -- impulse on the upper body while it slips
+    isGlued = {}, -- the two are in one block
     slipped = {}, -- px that the upper body slips before it sticks
     next = {}, -- next bond on the same lower body
   }
@@ -81,7 +84,7 @@ local function slide(b, list, n, slip)
   elseif stands then
     stand(b, list, n)
   else
-    list.slipped[n] = slip * size / rate * 0.5
+    list.isGlued[n], list.slipped[n] = true, slip * size / rate * 0.5
   end
 end
 
@@ -90,23 +93,50 @@ function bonds.add(b, list, up, low, limit)
   local n, slip = list.count + 1, b.onset[up] - b.onset[low]
   list.count = n
   list.up[n], list.low[n], list.limit[n], list.tug[n] = up, low, limit, 0.0
-  list.slipped[n], list.state[n] = 0.0, BOND
+  list.isGlued[n], list.slipped[n], list.state[n] = false, 0.0, BOND
   b.bondUnder[up], list.next[n], b.bondOn[low] = n, b.bondOn[low], n
   if slip ~= 0 then
     slide(b, list, n, slip)
   end
 end
 
---- Makes blocks of the bonds that hold. Returns whether there are any.
-function bonds.glue(b, list, dt)
-  local isAny = false
+-- Marks the bodies that are bonded, directly or through others, to a body that would not move along
+-- by itself. Returns whether there are any.
+local function markTowers(b, list)
+  local mark, stamp, any = b.bondMark, b.forceStamp, false
   for n = 1, list.count do
     local up, low = list.up[n], list.low[n]
     if list.state[n] == BOND then
+      local apart = b.to[up] - b.from[up] - b.to[low] + b.from[low]
+      local isEven = b.speed[up] == b.speed[low] and max(apart, -apart) <= ROUNDING
+      if list.isGlued[n] or not isEven then
+        mark[up], mark[low], any = stamp, stamp, true
+      end
+    end
+  end
+  for n = any and list.count or 0, 1, -1 do
+    if list.state[n] == BOND and mark[list.up[n]] == stamp then
+      mark[list.low[n]] = stamp
+    end
+  end
+  for n = 1, any and list.count or 0 do
+    if list.state[n] == BOND and mark[list.low[n]] == stamp then
+      mark[list.up[n]] = stamp
+    end
+  end
+  return any
+end
+
+--- Makes blocks of the bonds that would not hold otherwise. Returns whether there are any.
+function bonds.glue(b, list, dt)
+  local mark, stamp, isAny = b.bondMark, b.forceStamp, markTowers(b, list)
+  for n = 1, isAny and list.count or 0 do
+    local up, low = list.up[n], list.low[n]
+    if list.state[n] == BOND and mark[up] == stamp and mark[low] == stamp then
+      list.isGlued[n] = true
       -- (Else both are as fast as the holder.)
       local isFree = b.heldLow[low] + b.heldHigh[low] + b.heldLow[up] + b.heldHigh[up] == 0
       pool.glue(b, up, low, isFree and list.slipped[n] or 0.0, dt)
-      isAny = true
     end
   end
   return isAny
@@ -122,8 +152,12 @@ local function endSlip(b, list, n)
     return false
   end
   pull(b, list, n, 0.0)
-  list.state[n] = BOND
-  list.slipped[n] = slip * last < 0 and slip * slip / (slip - last) * 0.5 * b.dt or 0.0
+  if speed[low] == outset[low] then
+    stand(b, list, n)
+  else
+    list.state[n], list.isGlued[n] = BOND, true
+    list.slipped[n] = slip * last < 0 and slip * slip / (slip - last) * 0.5 * b.dt or 0.0
+  end
   return true
 end
 
@@ -139,13 +173,16 @@ local function test(b, list, n, need, mayTear)
     pull(b, list, n, impulse)
     return impulse, true
   end
-  return impulse, false
+  local isLost = not list.isGlued[n] and b.speed[up] ~= b.speed[list.low[n]]
+  list.isGlued[n] = list.isGlued[n] or isLost
+  return impulse, isLost
 end
 
 --- Updates the states of all bonds, from the top down:
 ---
 --- - bonds break that take more than friction can give, if `mayTear`. (What is pressed by others on
 ---   the axis takes an impulse that is not known.)
+--- - bodies become one block that had not moved as one;
 --- - slips end that have come to their end.
 ---
 --- Returns whether something has changed.

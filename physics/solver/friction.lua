@@ -175,7 +175,7 @@ function friction.run(b, axis, dt)
   findSupports(b, list, axis)
   walk(b, list, held, dt, false)
   held.count, held.hasSlips = 0, false
-  b.pulledCount = 0
+  b.pulledCount, b.forceStamp = 0, b.forceStamp + 1
   walk(b, list, held, dt, true)
   if b.pulledCount == 0 and held.count == 0 then
     return false
