@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "32590179153681",
-  games5000001 = "548135548",
-  games5000004 = "1097528047",
+  games5000001 = "1901172755",
+  games5000004 = "1220478294",
   games5000009 = "1630908450",
-  wild = "1264436104",
+  wild = "1081730282",
 }
