@@ -117,4 +117,10 @@ return {
     "if sign >= 0 then",
     "of a slope it is 1 or -1",
   },
+  {
+    "physics/solver/snap.lua",
+    "if most > 0 then",
+    "if most >= 0 then",
+    "by 0 px nothing is lowered",
+  },
 }

@@ -132,7 +132,7 @@ function rules.drop(b, i)
   local foot = x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y -- left, right, top, bottom are 1 to 4
   for _, j, p in neighbours(b, i) do
     local side = b.contact[p] -- side of the first body of the pair, 0: none
-    if side ~= 0 and b.pairA[p] ~= i then
+    if b.pairA[p] ~= i then
       side = OPPOSITE[side]
     end
     if side == foot and b.oneWay[j] then
