@@ -83,15 +83,6 @@ describe("radius: a ball", function()
     end)
   end
 
-  it("goes on with what it meets, at one speed and acceleration", function()
-    local world = physics.newWorld({ gravity = 0 })
-    local one = world:add("balls", ball(0, 0, 10, { vx = 100, ax = 60 }))
-    local other = world:add("balls", ball(25, 0, 10, { ax = 60 }))
-    run(world, 1)
-    near(110, one.vx, LATER)
-    near(110, other.vx, LATER)
-  end)
-
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
       local world = physics.newWorld({ gravity = 0 })
