@@ -100,7 +100,7 @@ describe("onCrush: inside something, with no way out,", function()
   end
   row("tells once in a block of tiles, too", nil, BLOCK, {
     "log = watch(run, box)",
-    { 0.5, "log.count == 1", "box at 70, 70" },
+    { 0.5, "log.count == 1", "box at 70, 70", "log.a.width == 16", "log.b.width == 16" },
   })
 end)
 
