@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "32590179153681",
-  games5000001 = "1901172755",
-  games5000004 = "1220478294",
-  games5000009 = "1630908450",
+  games5000001 = "261534596",
+  games5000004 = "961395510",
+  games5000009 = "2022484132",
   wild = "1081730282",
 }

@@ -25,7 +25,7 @@ local pool = require(root .. ".memory.lazy")(root .. ".solver.pool")
 local settle = {}
 
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
-local floor, max, min = math.floor, math.max, math.min
+local max, min = math.max, math.min
 -- Maximum number of times that blocks are made: two that came into one through others may overlap.
 local ATTEMPTS = 5
 -- heldLow and heldHigh of what is no wall, but stays where it is: what is between that and a wall
@@ -82,13 +82,6 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
   end
 end
 
--- Returns whether body m is not pushable, and k is pushed to it by what does not come nearer
--- (`wall`): how far k stops it is left to the blocks.
-local function withstands(b, m, k, wall, sign)
-  local isFirm = b.give[k] > 0 and b.power[floor(m * 0.5)] == math.huge
-  return isFirm and (b.to[wall] - b.from[wall]) * sign <= 0
-end
-
 -- Puts bodies flush against what holds them, from immovable bodies on: against what holds them on
 -- their low side, along the list (`sign` 1), or on their high side, back along it (-1). What is
 -- held on the other side already is squeezed. Returns whether something was.
@@ -103,8 +96,7 @@ local function hold(b, list, slow, sign)
   local give, accel, hasSqueezed = b.give, b.accel, false
   for c = first, last, sign do
     local k, m = near[c], far[c]
-    local isHeld = held[k] > 0 and give[m] > 0
-    if isHeld and not withstands(b, m, k, wall[k], sign) then
+    if held[k] > 0 and give[m] > 0 then
       local place = to[k] + sign * separation[c]
       local over, closing = (place - to[m]) * sign, (speed[k] - speed[m]) * sign
       local isMet = over > -EPSILON and (over > 0 or closing >= 0)
