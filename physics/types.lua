@@ -26,7 +26,7 @@
 ---@field vx? number
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
 ---@field vy? number
---- px/s², default 0. A constant acceleration along x: an engine, wind, a magnet.
+--- px/s², default 0. A constant acceleration along x: an engine, a magnet.
 ---@field ax? number
 --- px/s², default 0. A constant acceleration along y, on top of gravity.
 ---@field ay? number

@@ -179,7 +179,7 @@ end
 -- Returns how two bodies meet on an axis: their minimum distance, px; how far they would overlap at
 -- the end of the step, px; their closing velocity and acceleration there; and the lean of a touch.
 ---@return number, number, number, number, number?
-local function meet(b, i, j, axis, isDeep)
+local function closing(b, i, j, axis, isDeep)
   local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local separation, lean = b.size[kl], 0.0
   if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then
@@ -198,7 +198,7 @@ end
 
 --- Notes the hit of a sensor that a body enters or passes through.
 function impact.sense(b, p, i, j, axis, t, dt)
-  local _, o, v, a = meet(b, i, j, axis, false)
+  local _, o, v, a = closing(b, i, j, axis, false)
   local u = approach(o, v, a, (1 - t) * dt)
   if b.hasRound and ball.isRound(b, i, j) then
     u = ball.approach(b, i, j, t, dt)
@@ -256,7 +256,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     end
   end
   local kl, kh = 2 * i + axis, 2 * j + axis
-  local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)
+  local separation, o, v, a, lean = closing(b, i, j, axis, isDeep)
   local u, tau = approach(o, v, a, left)
   if u > 0 or b.pressed[p] ~= 1 then -- else it is noted with the speed that it began with
     impact.note(b, p, i, axis, u, t)
