@@ -125,10 +125,10 @@ end
 --- Lets slot i fall through the one-way objects that it stands on. Returns whether there were any.
 --- An object that is not dynamic stands on nothing, nor does one without gravity.
 function rules.drop(b, i)
-  local x, y, any = b.down[2 * i], b.down[2 * i + 1], false
-  if b.kind[i] ~= DYNAMIC or (x == 0 and y == 0) then
+  if b.kind[i] ~= DYNAMIC or (b.down[2 * i] == 0 and b.down[2 * i + 1] == 0) then
     return false
   end
+  local x, y, any = b.down[2 * i], b.down[2 * i + 1], false
   local foot = x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y -- left, right, top, bottom are 1 to 4
   for _, j, p in neighbours(b, i) do
     local side = b.contact[p] -- side of the first body of the pair, 0: none

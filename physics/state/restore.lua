@@ -147,7 +147,6 @@ end
 -- Reads what `update` would not read again: static objects. Also takes over places and velocities
 -- of the others, so that what is only elsewhere need not be read anew. (Memory has the rest of it.)
 local function readKnown(b, st, objects)
-  local written, velocity = b.written, b.velocity
   for n = 1, st.count do
     local object, i = objects[n], b.slotOf[objects[n]]
     local isStatic = i and b.kind[i] == STATIC
@@ -156,7 +155,7 @@ local function readKnown(b, st, objects)
         read.refresh(b, i)
       end
     elseif i then
-      local k = 2 * i
+      local k, written, velocity = 2 * i, b.written, b.velocity -- (`refresh` may make them grow)
       written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
       velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
     end
@@ -204,12 +203,11 @@ local function restoreColumn(b, list, slots, entry)
     end
   end
   for at = 1, #list, 1 + width do
-    local k = width * slots[list[at]]
-    if entry.isLink then
-      local j = allot.embody(b, slots[list[at + 1]])
-      b[entry[1]][k] = j -- (the column may have grown)
-    elseif slots[list[at]] <= last then
-      column[k], column[k + y] = list[at + 1], list[at + 1 + y]
+    local value = entry.isLink and allot.embody(b, slots[list[at + 1]]) or list[at + 1]
+    local k = width * slots[list[at]] -- (`embody` may have moved it, and made the column grow)
+    column = b[entry[1]]
+    if slots[list[at]] <= last then
+      column[k], column[k + y] = value, entry.isLink and value or list[at + 1 + y]
     end
   end
 end

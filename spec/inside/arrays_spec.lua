@@ -89,4 +89,39 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
       end)
     end)
   end
+
+  it("where a method is called for tiles that lie alone, or a state has them ride", function()
+    fresh.during(function(physics)
+      guard(require("physics.memory.arrays"))
+      local world = physics.newWorld()
+      for n = 1, 100 do
+        world:add("tiles", { x = 50 * n, y = 0, width = 8, height = 8, static = true })
+      end
+      local box = world:add("boxes", { x = 0, y = 900, width = 8, height = 8 })
+      local last = world.objects.tiles[100]
+      world:update(1 / 60)
+      assert.is_nil((world:ground(last)))
+      assert.is_false(world:dropThrough(last))
+      assert.matches("apart", world:explain(last, box))
+      local state = world:save()
+      state.memory.support = { 99, 100 }
+      world:restore(state)
+    end)
+  end)
+end)
+
+describe("stamps", function()
+  it("go on beyond 2^31, which bullets reach in a day", function()
+    local world = require("physics").newWorld()
+    for n = 0, 1 do
+      world:add("boxes", { x = 12 * n, y = 0, width = 8, height = 8, vx = 600 })
+    end
+    world:update(1 / 60)
+    local b = world._bodies
+    b.stamp, b.solveStamp, b.roundStamp, b.dirtyStamp = 2 ^ 31, 2 ^ 31, 2 ^ 31, 2 ^ 31
+    for _ = 1, 30 do
+      world:update(1 / 60)
+    end
+    assert.equal(1, b.pairCount)
+  end)
 end)
