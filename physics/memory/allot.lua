@@ -36,8 +36,8 @@ end
 
 --- Makes room in some columns for the index `last`.
 function allot.reserve(b, rows, last)
-  local old = b.reserved[rows]
-  local count = max(last + 1, FIRST, 2 * old)
+  local old = b.reserved[rows] ---@type number
+  local count = max(last + 1, FIRST, 2 * old) ---@type number
   for n = 1, last >= old and #rows.names or 0 do
     local name, width = rows.names[n], rows.widths[n]
     b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
