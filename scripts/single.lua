@@ -3,9 +3,9 @@
 --   luajit scripts/single.lua build/physics.lua
 --
 -- Each module becomes a function in that file, and `require` a local function that knows only
--- these: neither `package.preload` nor `package.loaded` is touched, so two copies of the file, or
--- the file and the folder, live side by side. The door gets the same name wherever the file lies,
--- `require "physics"` and `require "lib.physics"` find it by its own name.
+-- these, and LuaJIT's FFI: neither `package.preload` nor `package.loaded` is touched, so two copies
+-- of the file, or the file and the folder, live side by side. The door gets the same name wherever
+-- the file lies, `require "physics"` and `require "lib.physics"` find it by its own name.
 
 local path = assert(arg[1], "which file to write?")
 
@@ -38,9 +38,12 @@ local HEAD = [[
 local modules, loaded = {}, {}
 local package = { loaded = loaded } -- of these modules (see memory/compiler.lua)
 
--- The modules' own: it finds what is in this file, and nothing else.
+-- The modules' own: it finds what is in this file, and LuaJIT's FFI.
+local outer = require
 local function require(name)
-  if loaded[name] == nil then
+  if name == "ffi" then
+    return outer(name)
+  elseif loaded[name] == nil then
     loaded[name] = modules[name](name)
   end
   return loaded[name]

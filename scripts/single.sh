@@ -27,7 +27,7 @@ check "Lua 5.1 reads the single file" luac5.1 -p "$stage/physics.lua"
 mkdir "$stage/lib" && cp build/physics.lua "$stage/lib/"
 cat >"$stage/twice.lua" <<'LUA'
 package.path = "./?.lua"
-pcall(require, "table.new") -- of LuaJIT, and not of the library
+pcall(require, "ffi") -- of LuaJIT, and not of the library
 local seen = {}
 for _, list in ipairs({ package.loaded, package.preload, _G }) do
   seen[list] = {}
@@ -50,6 +50,11 @@ for i, physics in ipairs(copies) do
   end
   assert(#physics.objects.boxes == i, "copies share a world")
   assert(physics.objects.boxes[1].y == 84, "the box is not on the floor")
+  local hasTyped = false
+  for _, column in pairs(physics._bodies) do
+    hasTyped = hasTyped or type(column) == "cdata"
+  end
+  assert(hasTyped == (type(jit) == "table"), "typed arrays only with LuaJIT")
   local isRefused, message = pcall(physics.update, -1)
   assert(not isRefused and message:find("^%.?/?twice.lua:%d+: physics: world:update"), message)
 end

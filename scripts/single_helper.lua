@@ -12,9 +12,11 @@ local function upvalue(f, wanted)
   end
 end
 
--- `physics.draw` calls the method of that name, and that one loads its module when it is called.
+-- `physics.draw` calls the method of that name, and that one loads its module by
+-- `compiler.load` when it is called.
 local method = upvalue(require("physics").draw, "method")
-local inner = upvalue(getmetatable(upvalue(method, "draw")).__index, "require")
+local loader = upvalue(getmetatable(upvalue(method, "draw")).__index, "compiler").load
+local inner = upvalue(loader, "require") -- without LuaJIT it would be `loader` itself
 
 for name in io.lines("modules.txt") do
   package.preload[name] = inner

@@ -259,15 +259,15 @@ describe("world:loadTiled, packed layers", function()
   end)
 
   it("that are compressed are unpacked by the option, or by LÖVE, or named", function()
-    local plain, log = show(load(PLAIN)), nil
+    local plain, noted = show(load(PLAIN)), {}
     local function note(data, compression)
-      log = compression
+      noted.how = compression
       return data
     end
     for _, compression in ipairs({ "zlib", "gzip" }) do
       local map, head = packed(compression), ("encoded data (%s, base64): "):format(compression)
       assert.equal("! collision: " .. head .. NEITHER .. CSV, show(load(map)))
-      assert.same({ plain, compression }, { show(load(map, { decompress = note })), log })
+      assert.same({ plain, compression }, { show(load(map, { decompress = note })), noted.how })
     end
     pretend({
       data = {
@@ -276,7 +276,7 @@ describe("world:loadTiled, packed layers", function()
         end,
       },
     })
-    assert.same({ plain, "string zlib" }, { show(load(packed("zlib"))), log })
+    assert.same({ plain, "string zlib" }, { show(load(packed("zlib"))), noted.how })
   end)
 
   it("of an infinite map are parts", function()

@@ -14,7 +14,9 @@ local arrays = {}
 local floor = math.floor
 local jit = rawget(_G, "jit")
 local types = {} -- of the FFI
-local ffi = nil -- false: there is none, or no compiler
+-- The FFI, if there is one, and the compiler runs. Where there is no `jit`, it is not tried: on
+-- gopher-lua an error takes local variables away from the game, though it is caught.
+local isKnown, ffi = not jit, nil
 
 -- Columns are written side by side. With lengths of 2^n they would compete for the same few lines
 -- of the cache (piles 9 % slower): each is longer by one place in so many.
@@ -25,9 +27,9 @@ local SPREAD = 16
 ---@param column any has places for `old` slots; for none, it is an empty table
 ---@param width integer places of each slot; the last one of sides is behind them (they are 1 to 4)
 function arrays.grow(kind, column, width, old, count)
-  if ffi == nil then
+  if not isKnown then
     local hasFfi, module = pcall(require, "ffi")
-    ffi = hasFfi and jit and jit.status() and module or false
+    isKnown, ffi = true, hasFfi and jit.status() and module
   end
   if not (ffi and kind) then
     return column

@@ -164,7 +164,7 @@ end
 it("ARCHITECTURE and CONTRIBUTING name functions and columns where they are #files", function()
   local pages = snippets.read("ARCHITECTURE.md") .. snippets.read("CONTRIBUTING.md")
   for name, file in pages:gmatch("`([%w_.]+)` [io][nf]%s+`([%w/]+%.lua)`") do
-    local text, word = "", "%f[%w_]" .. name:gsub("%.", "%%.") .. "%f[^%w_]"
+    local text, word = "", "[^%w_]" .. name:gsub("%.", "%%.") .. "[^%w_]"
     for _, path in ipairs(files.list("find ./physics* -path '*/" .. file .. "'")) do
       text = text .. snippets.read(path)
     end
