@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "32590179153681",
-  games5000001 = "1604128504",
-  games5000004 = "575155769",
-  games5000009 = "8517266",
+  games5000001 = "261534596",
+  games5000004 = "961395510",
+  games5000009 = "2022484132",
   wild = "1081730282",
 }

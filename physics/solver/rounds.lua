@@ -192,11 +192,8 @@ local function happen(b, n, dt, isLast, isLate)
   elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
     isLast = false
   end
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if isLast and not (areDynamic and b.power[i] > b.power[j]) then
+  if isLast then
     path.stop(b, i, t, isRound)
-  end
-  if isLast and not (areDynamic and b.power[j] > b.power[i]) then
     path.stop(b, j, t, isRound)
   end
   if isNoted then

@@ -161,7 +161,7 @@ local function runRounds(b, dt, awakenings)
     end
     settleLate(b, dt, false)
   end
-  return b.overlapCount > 0 or settle.isViolated(b, 0) or settle.isViolated(b, 1)
+  return b.overlapCount > 0
 end
 
 -- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits
