@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1179 },
   { "physics/queries", 780 },
   { "physics/sleep", 80 },
-  { "physics/solver", 3855 },
+  { "physics/solver", 3819 },
   { "physics/space", 385 },
   { "physics/state", 854 },
   { "physics/world", 1399 },
