@@ -34,16 +34,8 @@ local function fill(column, first, last, value)
   end
 end
 
---- Makes room in some columns for the index `last`.
-function allot.reserve(b, rows, last)
-  local old = b.reserved[rows] ---@type number
-  local count = max(last + 1, FIRST, 2 * old) ---@type number
-  for n = 1, last >= old and #rows.names or 0 do
-    local name, width = rows.names[n], rows.widths[n]
-    b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
-    b.reserved[rows] = count
-  end
-  -- What acts on a body, with zones and without (see zones).
+--- Names the columns that hold what acts on a body, with zones and without (see zones).
+function allot.chooseFlow(b)
   if b.hasZones then
     b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
   else
@@ -51,11 +43,29 @@ function allot.reserve(b, rows, last)
   end
 end
 
+--- Makes room in some columns for the index `last`.
+function allot.reserve(b, rows, last)
+  local old = b.reserved[rows] ---@type number
+  if last < old then
+    return
+  end
+  local count = max(last + 1, FIRST, 2 * old) ---@type number
+  for n = 1, #rows.names do
+    local name, width = rows.names[n], rows.widths[n]
+    b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
+  end
+  b.reserved[rows] = count
+  allot.chooseFlow(b)
+end
+
 -- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
 -- take twice as long.)
 local function blank(b, rows, first, last)
+  if first > last then
+    return
+  end
   allot.reserve(b, rows, last)
-  for n = 1, first <= last and #rows.names or 0 do
+  for n = 1, #rows.names do
     local width = rows.widths[n]
     local shift = width == 4 and 1 or 0 -- sides are 1 to 4
     fill(b[rows.names[n]], width * first + shift, width * (last + 1) + shift - 1, rows.values[n])

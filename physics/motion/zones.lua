@@ -11,6 +11,7 @@
 -- columns as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local path = require(root .. ".motion.path")
@@ -35,7 +36,7 @@ function zones.note(b, i)
   list[isListed and #list or #list + 1] = isListed and list[#list] or i
   b.hasZones = true
   b.hasHinders = b.hasHinders or (area.drag or 0) > 0
-  b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
+  allot.chooseFlow(b)
 end
 
 -- Puts the list in the order of the world, without those that are zones no more. (Slots at the end
@@ -124,7 +125,8 @@ local function push(b, i, j, share, time)
   end
 end
 
--- Lets zone j act (`turn` or `push`) on the dynamic ones of list[1..count] that are in it.
+-- Lets zone j act (`turn` or `push`) on those of list[1..count] that are in it. (What acts on
+-- kinematic ones is not read.)
 local function act(b, list, count, j, time, what)
   for n = 1, b.active[j] and count or 0 do
     local i = list[n]

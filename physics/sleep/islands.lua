@@ -84,14 +84,17 @@ local function gather(b, i, stamp)
   local island, kind, awake, quiet, mark = b.island, b.kind, b.awake, b.quiet, b.mark
   local count, n, isQuiet = 1, 1, true
   island[1], mark[i] = i, stamp
+  if kind[i] ~= DYNAMIC then
+    return 1, true
+  end
   while n <= count do
     local member = island[n]
     isQuiet = isQuiet and quiet[member]
     for _, j in neighbours(b, member) do
-      if kind[i] == DYNAMIC and kind[j] == DYNAMIC and awake[j] and mark[j] ~= stamp then
+      if kind[j] == DYNAMIC and awake[j] and mark[j] ~= stamp then
         count, mark[j] = count + 1, stamp
         island[count] = j
-      elseif kind[i] == DYNAMIC and kind[j] ~= DYNAMIC and awake[j] then
+      elseif kind[j] ~= DYNAMIC and awake[j] then
         isQuiet = isQuiet and quiet[j]
       end
     end

@@ -276,8 +276,11 @@ local function isCrowded(b, i)
     if b.kind[j] == DYNAMIC and not b.sensor[j] and isDeep(depthOf(b, i, j)) then
       count = count + 1
     end
+    if count > MOST then
+      return true
+    end
   end
-  return count > MOST
+  return false
 end
 
 -- Returns whether the bodies of pair p are parted here at all.

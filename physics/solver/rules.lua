@@ -23,11 +23,11 @@ local function isOpen(b, i, side)
   return solid and SIDE[solid] ~= side
 end
 
--- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
+-- Returns whether slot i falls through a one-way object with the side `solid`.
 -- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
 local function isFalling(b, i, solid)
   for _, j, p in neighbours(b, i) do
-    if solid and b.dropping[p] and b.oneWay[j] == solid then
+    if b.dropping[p] and b.oneWay[j] == solid then
       return true
     end
   end
@@ -36,7 +36,8 @@ end
 
 -- Returns whether one of i and j falls through the other because of that.
 local function isDropping(b, i, j)
-  return isFalling(b, i, b.oneWay[j]) or isFalling(b, j, b.oneWay[i])
+  local mine, its = b.oneWay[i], b.oneWay[j]
+  return its and isFalling(b, i, its) or mine and isFalling(b, j, mine)
 end
 
 --- Returns whether i and j, which meet on `side` of i, pass through each other because one is a
