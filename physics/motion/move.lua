@@ -98,7 +98,6 @@ function move.run(b, dt)
     drift.add(b, dt)
   end
   findEnds(b, dt)
-  b.predicted = b.awakeCount
 end
 
 return move

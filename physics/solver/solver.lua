@@ -215,7 +215,7 @@ end
 -- Puts everything back to the start of the step and computes the free flight again.
 local function restart(b, dt)
   local list, from, origin, time = b.awakeList, b.from, b.origin, b.time
-  for n = 1, b.predicted do
+  for n = 1, b.begun do
     local i = list[n]
     from[2 * i], from[2 * i + 1] = origin[2 * i], origin[2 * i + 1]
     time[i] = 0
