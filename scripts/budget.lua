@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/sleep", 83 },
   { "physics/solver", 3826 },
   { "physics/space", 385 },
-  { "physics/state", 854 },
+  { "physics/state", 858 },
   { "physics/world", 1399 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
