@@ -94,8 +94,8 @@ function groups.firstChange(record)
   end
   local source, list, keys, count = record.source, record.list, record.keys, record.count
   local isPlain = record.isPlain and not keys
-  -- (Without a compiler `rawequal` costs a level of 20 000 tiles a quarter more. An object that got an
-  -- `__eq` only later, and is replaced by an equal one, is not seen to be another one.)
+  -- (Without a compiler `rawequal` costs a level of 20 000 tiles a quarter more. An object that got
+  -- an `__eq` only later, and is replaced by an equal one, is not seen to be another one.)
   for n = 1, isPlain and count or 0 do
     if source[n] ~= list[n] then
       return n
