@@ -131,6 +131,31 @@ describe("radius: a ball", function()
     end
   end)
 
+  -- A box in a niche of walls; a ball on the floor below is pressed slanted against its corner.
+  --
+  --      ########
+  --      #|   |
+  --      #+---+o <-     (`degrees`: of the normal, which leads from the corner to the ball)
+  --      ##########
+  for _, degrees in ipairs({ 15, 45, 75 }) do
+    it(("stays at the corner that it is pressed against, at %d degrees"):format(degrees), function()
+      for n = 1, 12 do
+        local x, y = 46 + 8 * math.cos(math.rad(degrees)), 46 + 8 * math.sin(math.rad(degrees))
+        local world = physics.newWorld({ gravity = 0 })
+        world:add("walls", tile(0, 0, 30, 100))
+        world:add("walls", tile(30, 0, 100, 30))
+        world:add("walls", tile(30, y + 8, 100, 20))
+        world:add("boxes", small.box(30, 30))
+        local object = world:add("balls", ball(x, y, 8))
+        for _ = 1, 4 do
+          object.vx = -60 * n
+          world:update(1 / 60)
+          near(x - 8, object.x, 1e-6)
+        end
+      end
+    end)
+  end
+
   it("rests on the floor, carries, is carried, and sleeps", function()
     local world = physics.newWorld({ gravity = 800 })
     local lift = world:add("lifts", tile(0, 200, 300, 10, { kinematic = true, vx = 40 }))
