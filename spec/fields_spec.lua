@@ -47,8 +47,6 @@ local ON_LAND = {
   ["physics/memory/layout.lua"] = {
     "  carrier = WHOLE, -- slot of what carries it",
     "  stood = false, -- it stood on something at the end of its last step\n",
-  },
-  ["physics/state/format.lua"] = {
     '  { "carrier", 1, 0, isLink = true',
     '  { "stood", 1, false },\n',
   },
@@ -78,8 +76,11 @@ local function with(added, f)
   local lines, changed = io.lines, {}
   for path, row in pairs(added) do
     local text = read(path)
-    local at = assert(text:find(row[1], 1, true), path)
-    changed[path] = text:sub(1, at - 1) .. row[2] .. text:sub(at)
+    for n = 1, #row, 2 do
+      local at = assert(text:find(row[n], 1, true), path)
+      text = text:sub(1, at - 1) .. row[n + 1] .. text:sub(at)
+    end
+    changed[path] = text
   end
   local scripts = { "meanings", "types", "manual", "typed_fields" }
   local loaded = {}

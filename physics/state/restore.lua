@@ -14,6 +14,7 @@ local events = require(root .. ".contacts.events")
 local fields = require(root .. ".fields.fields")
 local format = require(root .. ".state.format")
 local forms = require(root .. ".fields.forms")
+local layout = require(root .. ".memory.layout")
 local read = require(root .. ".objects.read")
 local islands = require(root .. ".sleep.islands")
 local settings = require(root .. ".objects.settings")
@@ -23,7 +24,7 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 local restore = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
-local COLUMNS, PAIRS, VALUES = format.COLUMNS, format.PAIRS, events.VALUES
+local COLUMNS, PAIRS, VALUES = layout.KEPT, format.PAIRS, events.VALUES
 local NONE = {}
 local max, min = math.max, math.min
 
