@@ -253,3 +253,25 @@ describe("radius and pushable: two balls that cannot be pushed", function()
     end
   end)
 end)
+
+describe("radius and pushable: a ball that cannot be pushed", function()
+  -- It falls at 277 px/s. An exact wedge of 1 : 64 would shoot out the lower one at 18 000 px/s.
+  for _, offset in ipairs({ 0.25, 1, 4, 6 }) do
+    it(
+      ("presses a ball aside without shooting it out, %g px off its middle"):format(offset),
+      function()
+        local world = physics.newWorld({ gravity = 800 })
+        world:add("walls", tile(-500, 100, 1000, 20))
+        local lower = world:add("balls", ball(0, 92, 8))
+        local upper = world:add("stones", ball(offset, 28, 8, { pushable = false }))
+        for _ = 1, 60 do
+          world:update(1 / 60)
+          assert.is_true(math.abs(lower.vx) < 3 * 277, lower.vx)
+          local x, y = lower.x - upper.x, lower.y - upper.y
+          assert.is_true(math.sqrt(x * x + y * y) > 14)
+        end
+        near(84, upper.y)
+      end
+    )
+  end
+end)
