@@ -380,8 +380,8 @@ function default.move(object, x, y, response, out) end
 --- Changes the velocity of a dynamic object by the impulse divided by its mass. A speed limit, such
 --- as `maxSpeed`, cuts the new velocity in the next step.
 ---
---- Errors: the object is not a table, not in the world, or not dynamic; a number is not finite; its
---- `vx`, `vy` or `mass` cannot be used; it is called from inside `canCollide`.
+--- Errors: the object is not a table, or not in the world; the object is not dynamic; a number is
+--- not finite; its `vx`, `vy` or `mass` cannot be used; it is called from inside `canCollide`.
 ---@param object physics.NewObject a dynamic object
 ---@param ix number px/s times mass, along x
 ---@param iy number px/s times mass, along y
