@@ -202,6 +202,16 @@ describe("friction: what is hit,", function()
       { 0, -32, 0.5 },
     },
   })
+
+  --  #  +--+--+ <- 300     3 px to the wall; the heavy one is braked, which pulls the light one off
+  --  #  | 1|30|
+  local BEHIND = on(nil, { 0, -16, 0 }, { 16, -16, 0.5, -300, 30 })
+  BEHIND[#BEHIND + 1] = scene.maker("walls", { static = true })("wall", -19, -200, 16, 200)
+  BEHIND.gravity = 800
+  row("a light crate by a heavy one: neither ends in the wall behind it", THIRTY, BEHIND, {
+    { steps = 1 },
+    "a.x ~ -3, 1e-9; b.x ~ 13, 1e-9",
+  })
 end)
 
 --   +--+--+       The floor bears 400 px/s² of each kg of a crate, and of what stands on it.

@@ -209,10 +209,10 @@ end
 -- Lets two bodies that close on an axis bounce or go on flush, with the friction of that. `r`:
 -- their restitution; o, v, a: as `meet` returns them; u and tau: as `approach` does. Returns
 -- whether they stay together.
-local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt)
+local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt, isLate)
   local kl, kh, total = 2 * i + axis, 2 * j + axis, wl + wh
   local gap, vEnd = 0.0, 0.0
-  local isBelow = a < 0 and (b.give[kl] == 0 or b.give[kh] == 0)
+  local isBelow = not isLate and a < 0 and (b.give[kl] == 0 or b.give[kh] == 0)
   if r > 0 or isBelow then -- below a ceiling
     gap, vEnd = r * u * tau - a * tau * tau * 0.5, a * tau - r * u
   end
@@ -280,7 +280,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     path.add(b, kh, o * wh / total, 0.0)
     return not isElastic, separation, isElastic
   end
-  return collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt), separation
+  return collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt, isLate), separation
 end
 
 return impact
