@@ -41,7 +41,8 @@ local LIFT = {
 local ON_LAND = {
   ["physics/fields/fields.lua"] = {
     "  --- Called before a contact: `false` lets",
-    "  --- Called when it has come to stand on something.\n  --- Parameters: (self)\n"
+    "  --- Called when it has come to stand on something.\n"
+      .. "  --- Absent: none\n  --- Parameters: (self)\n"
       .. '  { name = "onLand", type = "function", event = "alone" },\n',
   },
   ["physics/memory/layout.lua"] = {
