@@ -110,8 +110,8 @@ describe("strength", function()
   }, { { 1, keep = "player.vx = 300" }, "player.x ~ 30" })
 
   -- `count` enemies of 20 px press to a player of 28 px for a while; then it walks out for 2 s.
-  -- Returns how far it was pushed about, and how far it got.
-  local function walkOut(fields, count, seconds, soft)
+  -- Returns how far it was pushed about, and how far it got. Every so many (`every`) are circles.
+  local function walkOut(fields, count, seconds, soft, every)
     local world = physics.newWorld({ gravity = 0, soft = soft })
     local player = world:add("players", { x = 390, y = 290, width = 28, height = 28 })
     for name, value in pairs(fields) do
@@ -119,7 +119,8 @@ describe("strength", function()
     end
     for n = 1, count do
       local y = n * (n % 2 == 1 and 61 or 41) % 580
-      world:add("enemies", { x = n * 97 % 780, y = y, width = 20, height = 20 })
+      local enemy = world:add("enemies", { x = n * 97 % 780, y = y, width = 20, height = 20 })
+      enemy.radius = every and n % every == 0 and 10 or nil
     end
     local function step(vx)
       for _, enemy in ipairs(world.objects.enemies) do
@@ -148,6 +149,14 @@ describe("strength", function()
       local pushed, out = walkOut({ strength = 1, mass = 10 }, count, 8)
       assert.near(0, pushed, 0.5)
       assert.is_true(out > 120 and out < 299)
+    end)
+  end
+
+  -- (It stood in each step in which the rounds ran out: 23 px in 2 s.)
+  for _, every in ipairs({ 1, 2 }) do
+    it(("lets it walk out of a crowd in which one of %d is a circle"):format(every), function()
+      local _, out = walkOut({ strength = 1, mass = 10 }, 40, 8, nil, every)
+      assert.is_true(out > 240, out)
     end)
   end
 

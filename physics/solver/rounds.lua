@@ -21,7 +21,7 @@ local sweep = require(root .. ".solver.sweep")
 local rounds = {}
 
 local DYNAMIC, WIDTHS, neighbours = columns.DYNAMIC, columns.WIDTHS, columns.neighbours
-local floor, max, min = math.floor, math.max, math.min
+local HUGE, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- Share of the smaller size from which on two that would end inside each other are torn.
 local TORN = 0.25
@@ -165,6 +165,12 @@ local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
   return true
 end
 
+-- Returns whether slot i goes on although its rounds run out: it is stronger than the other one,
+-- which `relax` puts before it. (A player in a crowd would stand in each second step.)
+local function outdoes(b, i, j)
+  return b.kind[j] == DYNAMIC and b.power[i] > b.power[j] and b.power[i] < HUGE
+end
+
 -- Resolves the n-th impact. If an earlier one of this round has disturbed its bodies, they are
 -- swept again instead. What may bounce, and circles, then take part in this round all the same, so
 -- that they do not get past each other. (Sensors stop nothing.)
@@ -192,8 +198,10 @@ local function happen(b, n, dt, isLast, isLate)
   elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
     isLast = false
   end
-  if isLast then
+  if isLast and not outdoes(b, i, j) then
     path.stop(b, i, t, isRound)
+  end
+  if isLast and not outdoes(b, j, i) then
     path.stop(b, j, t, isRound)
   end
   if isNoted then
