@@ -473,7 +473,7 @@ function default.loadLDtk(project, level, options) end
 --- another Lua. See docs/state.md.
 ---
 --- Of your own fields only those that `ownFields` names are saved, and no functions. A state that
---- is saved inside a callback holds the events that are still to come.
+--- is saved inside a callback holds what is still to come of this step's events.
 ---
 --- Errors: a field or setting that `update` would refuse; a value in `ownFields` that cannot be
 --- saved; `out` is not a table; it is called from inside `canCollide`.

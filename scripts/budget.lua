@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/solver", 3836 },
   { "physics/space", 385 },
   { "physics/state", 841 },
-  { "physics/world", 1399 },
+  { "physics/world", 1401 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

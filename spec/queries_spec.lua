@@ -301,6 +301,13 @@ describe("world:fits", function()
     end))
     world.objects.crates[1].active = false
     assert.is_true(world:fits(110, 80, 16, 20))
+    assert.has_error(
+      function()
+        world:fits(110, 80, 16, 20, false)
+      end,
+      "physics: world:fits(x, y, width, height): filter must be a group name, a list of them or a"
+        .. " function, got false"
+    )
   end)
 
   it("sees what was changed since the last step, and changes nothing", function()
