@@ -207,7 +207,7 @@ function impact.sense(b, p, i, j, axis, t, dt)
 end
 
 -- Lets two bodies that close on an axis bounce or go on flush, with the friction of that. `r`:
--- their restitution; o, v, a: as `meet` returns them; u and tau: as `approach` does. Returns
+-- their restitution; o, v, a: as `closing` returns them; u and tau: as `approach` does. Returns
 -- whether they stay together.
 local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt, isLate)
   local kl, kh, total = 2 * i + axis, 2 * j + axis, wl + wh

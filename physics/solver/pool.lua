@@ -370,31 +370,19 @@ function pool.glue(b, kUp, kLow, slipped, dt)
   end
 end
 
--- Returns the next contact from place c on that may be violated at the end of the step. Its bodies
--- overlap by more than `least` px, or one of them is in a block. (The place of a member of a block
--- is not known here.)
-local function nextViolated(b, list, c, last, by, least)
-  local low, high, separation = list.low, list.high, list.separation
-  local to, parent = b.to, b.parent
-  while c ~= last do
-    local kl, kh = low[c], high[c]
-    if parent[kl] + parent[kh] > 0 or to[kl] + separation[c] - to[kh] > least then
-      return c
-    end
-    c = c + by
-  end
-  return c
-end
-
--- Walks along the contacts once. Returns whether something has changed.
+-- Walks along the contacts once, and looks at those that may be violated at the end of the step:
+-- the bodies overlap, or one of them is in a block. (The place of a member of a block is not known
+-- here.) Returns whether something has changed.
 local function walk(b, list, first, last, by, dt, isLate)
   local hasChanged, least = false, b.pushFirst and -EPSILON or EPSILON
-  local c = nextViolated(b, list, first, last + by, by, least)
-  while c ~= last + by do
-    if look(b, list, c, dt, isLate) then
+  local low, high, separation = list.low, list.high, list.separation
+  local to, parent = b.to, b.parent
+  for c = first, last, by do
+    local kl, kh = low[c], high[c]
+    local mayBe = parent[kl] + parent[kh] > 0 or to[kl] + separation[c] - to[kh] > least
+    if mayBe and look(b, list, c, dt, isLate) then
       hasChanged = true
     end
-    c = nextViolated(b, list, c + by, last + by, by, least)
   end
   return hasChanged
 end
