@@ -27,7 +27,7 @@ same texts while you type. The [guide](guide/index.md) explains the ideas.
   `physics.update(dt)`.
 - A wrong value raises an error at the line of your game, and nothing has changed.
 - Refused everywhere: arguments, fields, settings and options that are unknown or of a wrong type
-  or range; NaN and infinity; objects that are not in the world (but in `remove`); a change
+  or range; NaN and infinity; objects that are not in the world (except in `remove`); a change
   from inside `canCollide`. The entries list other errors only.
 ]]
 
