@@ -199,3 +199,23 @@ describe("x, vx and pushable: a crowd", function()
     )
   end
 end)
+
+-- Pressed slanted, circles are left to their heap: as impacts they met again until the rounds ran
+-- out, and what overlapped then hopped by up to 9 px.
+describe("radius: a crowd in which one of two is a circle", function()
+  it("presses to an unpushable player without a hop", function()
+    local crowd = crowds.new({ count = 60, seed = 2, goal = "firm", drive = "vx", balls = 0.5 })
+    local most = crowds.FASTEST / 60 + 20 / 16 -- its own way, and a sixteenth of its size
+    for step = 1, 200 do
+      local places = {}
+      for n, enemy in ipairs(crowd.enemies) do
+        places[n] = { enemy.x, enemy.y }
+      end
+      crowd:step(1 / 60)
+      for n, enemy in ipairs(step > 30 and crowd.enemies or {}) do
+        local x, y = enemy.x - places[n][1], enemy.y - places[n][2]
+        assert.is_true(math.max(x, -x, y, -y) <= most, x .. ", " .. y)
+      end
+    end
+  end)
+end)
