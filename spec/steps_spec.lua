@@ -190,6 +190,8 @@ describe("world:update", function()
       world:update(dt)
       if dt < 1e-10 then
         assert.are.same({ 0, 0, place, speed }, { rider.x, rider.y, flier.x, flier.vx })
+      else
+        assert.is_true(flier.x > place)
       end
       assert.are.near(0, rider.vx, 1e-3)
       world:update(DT)

@@ -219,6 +219,13 @@ describe("slope: hills", function()
     { "body at 176 - 16 * crates, floorAt(176 - 16 * crates) - 24, 3e-6", "log.crushes == 0" },
   }, { "crates", { 0 }, { 1 }, { 2 } })
 
+  local BOTH = hill(solid("roof", 100, 300, 270, 20), body({ x = 0, y = 376 }))
+  BOTH[#BOTH + 1] = body({ name = "other", x = 440, y = 376 })
+  row("(P8) are walls below a ceiling for two that come from both sides", PUSH, BOTH, {
+    { 3, keep = "body.vx, other.vx = 120, -120" },
+    "body touches right bottom; other touches left bottom",
+  })
+
   local function hanging(name, x, ...)
     return {
       solid("flat", -400, 400, 1200, 40),
