@@ -72,6 +72,17 @@ describe("checked", function()
     end)
   end
 
+  it("lets a static object have what means nothing to it, such as a mass", function()
+    local world, floor = newWorld()
+    local numbers = "vx vy ax ay gravity gravityX mass strength airFriction drag nudge snap"
+      .. " maxSpeed maxSpeedX maxSpeedY maxFallSpeed"
+    for name in numbers:gmatch("%a+") do
+      floor[name] = 5
+    end
+    floor.pushable, floor.constantSpeed = false, true
+    world:update(DT)
+  end)
+
   it("refuses a mask that was changed in place, not one that says the same", function()
     local world, floor = newWorld()
     floor.mask = { boxes = true, ghosts = false }
