@@ -208,6 +208,17 @@ describe("area: a zone", function()
     assert.is_false((pcall(other.restore, other, saved)))
   end)
 
+  it("is where down is in a restored world at once, too, for a belt at its side", function()
+    local world, _, object = newWorld({ gravity = 0, gravityX = 800 })
+    local belt = { x = 350, y = 100, width = 20, height = 300, kinematic = true, surfaceSpeed = 30 }
+    world:add("belts", belt)
+    object.y = 120
+    small.run(world, 120)
+    local other = physics.newWorld()
+    other:restore(world:save())
+    assert.are.same({ 0, 30 }, { other:velocity(other.objects.bodies[1]) })
+  end)
+
   it("comes from Tiled, as a class", function()
     local world = physics.newWorld()
     local object = { id = 1, x = 0, y = 0, width = 64, height = 32, shape = "rectangle" }

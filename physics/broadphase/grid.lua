@@ -343,7 +343,7 @@ grid.cellAt, grid.bucketOf, grid.mostCells, grid.contact = cellAt, bucketOf, mos
 --- Returns the cell of slot i, counted from 0, 0, and its width in px.
 function grid:cellOf(i)
   local level, key = self.level[i], self.key[i]
-  local cellX = floor((key - level) / KEY_X + 0.5)
+  local cellX = floor(key / KEY_X + 0.5)
   return cellX, (key - level - cellX * KEY_X) / KEY_Y, self.cell * 2 ^ level
 end
 

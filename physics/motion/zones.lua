@@ -175,19 +175,10 @@ function zones.run(b, dt)
   end
 end
 
---- Begins a step: finds the zones, and where "down" is of those in list[1..count].
+--- Finds the zones, and where "down" is of those in list[1..count], at the beginning of a step.
 function zones.begin(b, list, count)
   arrange(b)
   turnAll(b, list, count, 0)
-end
-
---- Finds where "down" is of everything in a world that was restored.
-function zones.restore(b)
-  for n = 1, b.moverCount do
-    local k = 2 * b.movers[n]
-    b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
-  end
-  zones.begin(b, b.movers, b.moverCount)
 end
 
 return zones

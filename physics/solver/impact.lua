@@ -274,7 +274,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     return false, separation
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
-  if v < 0 or (isElastic and v == 0 and a == 0) then
+  if v < 0 then
     -- They move apart by themselves, and overlap only by what others have pushed.
     path.add(b, kl, -o * wl / total, 0.0)
     path.add(b, kh, o * wh / total, 0.0)

@@ -309,7 +309,7 @@ function restore.world(world, st)
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   if b.hasZones then
-    zones.restore(b)
+    zones.begin(b, b.movers, b.moverCount) -- where "down" is
   end
   read.outdate(b)
   world._restores = world._restores + 1
