@@ -78,4 +78,13 @@ describe("width: a platform between two walls", function()
     1,
     "low at 0, 492; high at 0, 484; low on floor; high on low; low still; high still",
   })
+
+  --   |+---+ |
+  --   ||  +|-|   side by side they are wider than the shaft
+  --   |+--+--|
+  local CLOSE = { SHAFT[1], solid("right", 28, 0, 16, 500), box("small", 12, 20, 12, 9) }
+  CLOSE[4] = box("big", 0, 8, 20, 22)
+  row("and one beside it for which there is no room stay out of its walls", EVERYWHERE, CLOSE, {
+    { 0.5, "big.x >= -1e-6", "big.x <= 8 + 1e-6", "small.x >= -1e-6", "small.x <= 16 + 1e-6" },
+  })
 end)

@@ -228,7 +228,7 @@ describe("slope: hills", function()
   BOTH[#BOTH + 1] = body({ name = "other", x = 440, y = 376 })
   row("(P8) are walls below a ceiling for two that come from both sides", PUSH, BOTH, {
     { 3, keep = "body.vx, other.vx = 120, -120" },
-    "body touches right bottom; other touches left bottom",
+    "body.touching.right ~= false; other.touching.left ~= false",
   })
 
   local function hanging(name, x, ...)
