@@ -11,7 +11,7 @@ local BUDGET = {
   { "physics/fields", 653 },
   { "physics/maps", 2177 },
   { "physics/memory", 911 },
-  { "physics/motion", 987 },
+  { "physics/motion", 980 },
   { "physics/objects", 1179 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },

@@ -81,9 +81,14 @@ describe("slope: hills", function()
   }, walks)
 
   local CREST = onHill(100, nil, crate("heavy", 207, 320, 16, 16, { mass = 9 }))
-  row("(P1) keep what bumps into a crate on the crest on the ground", { rate = { 30, 60 } }, CREST, {
-    { 1, keep = "body.vx = 200", "body.y ~ floorAt(body.x) - 24" },
-  })
+  row(
+    "(P1) keep what bumps into a crate on the crest on the ground",
+    { rate = { 30, 60 } },
+    CREST,
+    {
+      { 1, keep = "body.vx = 200", "body.y ~ floorAt(body.x) - 24" },
+    }
+  )
 
   -- `m`: of the right edge: 44 px flat, 143.1 up, 116 flat, 90.5 down, flat
   local FAIR = onHill(20, { constantSpeed = true })
