@@ -301,6 +301,16 @@ describe("kinematic: when the platform is", function()
   })
 end)
 
+describe("x and y: what the game puts on a platform", function()
+  local ABOVE = { platform({ x = 0, width = 400, vx = 60 }), rider({ y = 100 }) }
+  row("rides from the next step on", SOME, ABOVE, {
+    { steps = 1 },
+    "rider.x, rider.y, rider.vy = 120, 376, 0",
+    { steps = 1, "rider at 120, 376" },
+    { 1, "rider at 120 + 60 * t, 376", "rider on platform" },
+  })
+end)
+
 describe("carry = false: a platform", function()
   local function wide(friction, air)
     local body = rider({ friction = friction, airFriction = air })
