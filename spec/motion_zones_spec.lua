@@ -53,11 +53,11 @@ describe("area: a zone", function()
 
   -- Of (120, 160) from the centre, which is at the rim, one half is inside.
   local AT_RIM = body({ x = 310, y = 350 })
-  local DISC = zone({ gravity = 0, ax = 100 }, { y = 0, height = 400, radius = 200 })
+  local PLATE = zone({ gravity = 0, ax = 100 }, { y = 0, height = 400, radius = 200 })
   play.row(
     "radius: acts on what is at its round rim by the share inside",
     RATES,
-    { DISC, AT_RIM },
+    { PLATE, AT_RIM },
     {
       { steps = 1 },
       "body.vx ~ 50 * dt, 1e-9; body.vy ~ 400 * dt, 1e-9",
