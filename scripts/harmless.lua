@@ -213,34 +213,4 @@ return {
     "if matters or not awake[j] and (awake[i] or kind[i] == STATIC) then",
     "more is woken; what is awake for nothing does nothing and sleeps again at the end of the step",
   },
-  {
-    "physics/solver/rules.lua",
-    "if (speed - (object[along] or 0)) * b.down[2 * i + axis] > 0 then",
-    "if (speed - (object[along] or 0)) / b.down[2 * i + axis] > 0 then",
-    "it is 1 or -1 there",
-  },
-  {
-    "physics/solver/walk.lua",
-    "return list.high, list.low, list.count, 1",
-    "return list.high, list.low, list.count, 2",
-    "the first contact is on ground, which lifts nothing",
-  },
-  {
-    "physics/space/shapes.lua",
-    "local offset, low, high = { 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0 }",
-    "local offset, low, high = { 1, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0 }",
-    "the faces are written before they are read",
-  },
-  {
-    "physics/space/shapes.lua",
-    "local share = depth < 0 and enterRound(dx, dy, radius) or 0.0",
-    "local share = depth <= 0 and enterRound(dx, dy, radius) or 0.0",
-    "from the rim on it enters after 0, too",
-  },
-  {
-    "physics/world/queryMethods.lua",
-    "return rays.segment(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter, out)",
-    "return rays.segment(self, x1 - 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter, out)",
-    "only -0 stays what it is",
-  },
 }

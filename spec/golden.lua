@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "32590179153681",
-  games5000001 = "261534596",
-  games5000004 = "912235262",
-  games5000009 = "1332869225",
+  games5000001 = "970701236",
+  games5000004 = "1605779560",
+  games5000009 = "642691161",
   wild = "1081730282",
 }

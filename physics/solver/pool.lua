@@ -284,7 +284,7 @@ local function resolve(b, list, c, low, high, off, over, closing, dt, isLate)
     stayLow, stayHigh = pool.weigh(powerLow, powerHigh, b.speed[low], b.speed[high])
   end
   if stayLow and stayHigh then
-    b.isUnsettled = b.isUnsettled or b.heldLow[low] > 0 and b.heldHigh[high] > 0
+    b.isUnsettled, b.isTight = b.isUnsettled or b.heldLow[low] > 0 and b.heldHigh[high] > 0, true
     return stopBoth(b, low, high)
   elseif stayHigh then
     follow(b, low, high, b.to[high] - off, -1)

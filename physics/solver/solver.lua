@@ -133,7 +133,7 @@ end
 
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
-  b.solveStamp, b.isJammed = b.solveStamp + 1, false
+  b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
   begin(b, dt)
   flow.begin(b)
   pairFinder.listLive(b)
@@ -161,7 +161,7 @@ local function runRounds(b, dt, awakenings)
     end
     settleLate(b, dt, false)
   end
-  return b.overlapCount > 0
+  return b.overlapCount > 0 or b.isTight
 end
 
 -- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits

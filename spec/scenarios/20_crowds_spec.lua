@@ -13,6 +13,7 @@ local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
 local small = require("spec.support.small")
+local watcher = require("spec.fuzz.watcher")
 
 local long = effort.isFirst and it or pending
 
@@ -218,4 +219,63 @@ describe("radius: a crowd in which one of two is a circle", function()
       end
     end
   end)
+end)
+
+-- Presses boxes from all sides to `middle` for a second. Some are circles, by a share. Returns how
+-- deep two boxes have been in each other, and anything in the middle, px.
+local function press(seed, middle, most, balls)
+  local random, world, others = newRandom(seed), physics.newWorld({ gravity = 0 }), {}
+  local reach = 30 + 14 * math.sqrt(most)
+  world:add("middles", middle)
+  for _ = 1, random:integer(most / 2, most) do
+    local size, far = random:between(14, 20), false
+    local other = { width = size, height = size }
+    other.radius = random:chance(balls) and size / 2 or nil
+    while not far do
+      other.x, other.y, far = random:between(-reach, reach), random:between(-reach, reach), true
+      for n = 0, #others do
+        far = far and watcher.depth(other, others[n] or middle) < -1
+      end
+    end
+    others[#others + 1] = world:add("others", other)
+  end
+  local between, inMiddle, depths = 0, 0, newOverlaps(others)
+  for _ = 1, 60 do
+    for _, other in ipairs(others) do
+      local x, y = -other.x - other.width / 2, -other.y - other.height / 2
+      local way = math.max(math.sqrt(x * x + y * y), 1)
+      other.vx, other.vy = 80 * x / way, 80 * y / way
+    end
+    world:update(1 / 60)
+    between = balls > 0 and 0 or math.max(between, (depths()))
+    for _, other in ipairs(others) do
+      inMiddle = math.max(inMiddle, watcher.depth(other, middle))
+    end
+  end
+  return between, inMiddle
+end
+
+describe("radius, pushable and strength: what presses to", function()
+  -- What pushed a box along one axis pressed it into the slant again, until the rounds ran out.
+  it("a round stone ends in no other and not in the stone", function()
+    for _, seed in ipairs({ 3, 7, 9 }) do
+      local stone = { x = -16, y = -16, radius = 16, static = true }
+      local between, inStone = press(seed, stone, 12, 0)
+      assert.same({ seed, true, true }, { seed, between < 1e-6, inStone < 1e-6 })
+    end
+  end)
+
+  -- seed, boxes at most, share of circles, field of the player
+  for _, row in ipairs({
+    { 26, 45, 0, "pushable", false },
+    { 139, 25, 0.4, "pushable", false },
+    { 139, 25, 0.4, "strength", 1 },
+  }) do
+    local seed, most, balls, field, value = row[1], row[2], row[3], row[4], row[5]
+    it(("a player (%s, up to %d, seed %d) is never in it"):format(field, most, seed), function()
+      local player = { x = -9, y = -9, width = 18, height = 18, [field] = value }
+      local _, inPlayer = press(seed, player, most, balls)
+      assert.is_true(inPlayer < 1e-3, inPlayer .. " px")
+    end)
+  end
 end)
