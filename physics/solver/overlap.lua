@@ -118,12 +118,10 @@ local function canGo(b, i, axis, way)
 end
 
 -- Returns the share of the way that slot i goes of two, by mass; j goes the rest. If one of them
--- would end inside something immovable, the other one goes all of it. nil: neither can.
+-- would end inside something immovable, the other one goes all of it; so does i if it is the weaker
+-- one (see `leavesLater`). nil: neither can.
 local function shareOf(b, i, j, axis, way)
-  local wi, wj = b.inverseMass[i], b.inverseMass[j]
-  if wi > 0 and wj > 0 and b.power[i] ~= b.power[j] then
-    wi, wj = b.power[i] < b.power[j] and wi or 0, b.power[j] < b.power[i] and wj or 0
-  end
+  local wi, wj = b.inverseMass[i], b.power[i] < b.power[j] and 0 or b.inverseMass[j]
   local share = (wj == 0 or (wi > 0 and b.pushFirst)) and 1 or wi / (wi + wj)
   if canGo(b, i, axis, way * share) and canGo(b, j, axis, way * (share - 1)) then
     return share
