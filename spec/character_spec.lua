@@ -74,13 +74,19 @@ describe("strength", function()
     })
   end
 
-  play.row("leaves no overlap of two that are put into each other: the {what} leaves", LEVELS, two, {
-    { "run:play(1); one.x == x; other.x ~ x + 10, 1e-6" },
-  }, {
-    "what, gap, one, other, x",
-    { "second, weaker one", -4, ONE, {}, 0 },
-    { "first, weaker one", -4, {}, ONE, -4 },
-  })
+  play.row(
+    "leaves no overlap of two that are put into each other: the {what} leaves",
+    LEVELS,
+    two,
+    {
+      { "run:play(1); one.x == x; other.x ~ x + 10, 1e-6" },
+    },
+    {
+      "what, gap, one, other, x",
+      { "second, weaker one", -4, ONE, {}, 0 },
+      { "first, weaker one", -4, {}, ONE, -4 },
+    }
+  )
 
   play.row("lets the weaker one bounce", LEVELS, two, {
     { "run:play(1); one.vx == 0; other.vx ~ 60, 1e-9" },

@@ -51,6 +51,19 @@ describe("area: a zone", function()
     "body.vx ~ 120 * exp(-1) - 20, 1e-9; body.x ~ 180 + 60 * (1 - exp(-1)) - 10, 1e-9",
   })
 
+  -- Of (120, 160) from the centre, which is at the rim, one half is inside.
+  local AT_RIM = body({ x = 310, y = 350 })
+  local PLATE = zone({ gravity = 0, ax = 100 }, { y = 0, height = 400, radius = 200 })
+  play.row(
+    "radius: acts on what is at its round rim by the share inside",
+    RATES,
+    { PLATE, AT_RIM },
+    {
+      { steps = 1 },
+      "body.vx ~ 50 * dt, 1e-9; body.vy ~ 400 * dt, 1e-9",
+    }
+  )
+
   -- px that a second order method loses at an edge or around a centre, after 2 s, against 240 Hz:
   -- see docs/reliability.md.
   local LOST, ROUND =

@@ -69,6 +69,15 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
     expect(world, object, 100)
   end)
 
+  it("see what is switched on again", function()
+    local world = build()
+    local object = world:add("a", sized(0, 0, 10, 10, { active = false }))
+    world:update(1 / 60)
+    expect(world, nil, 0)
+    object.active = true
+    expect(world, object, 0)
+  end)
+
   for _, isStatic in ipairs({ false, true }) do
     local kind = isStatic and "static" or "dynamic"
     -- As from a pool: it is the same table as before, in the same world.

@@ -133,6 +133,22 @@ describe("world:move", function()
     end
   end)
 
+  --         ____
+  --       /|         up a slope, a steeper one that stands on it, and on at the height of its top
+  --     _/ |
+  --  _/____|__
+  for _, row in ipairs({ { 30, 84 }, { 60, 70 }, { 90, 40 }, { 150, 40 } }) do
+    it(("walks along two slopes to x = %d"):format(row[1]), function()
+      local world = physics.newWorld({ gravity = 800 })
+      local me = world:add("me", box(0, 90, 10, 10))
+      world:add("hills", box(10, 80, 100, 20, { static = true, slope = "right" }))
+      world:add("hills", box(40, 50, 60, 60, { static = true, slope = "right" }))
+      local x, y = world:move(me, row[1], 90)
+      assert.are.near(row[1], x, 1e-9)
+      assert.are.near(row[2], y, 1e-9)
+    end)
+  end
+
   it("crosses sensors and reports them in order", function()
     local world, me = newScene()
     world:add("coins", box(15, 0, 5, 5, { name = "near", sensor = true }))

@@ -1,6 +1,6 @@
 --- What random games have found, made small: a game a line in spec/fuzz/found.txt, with a sentence
 --- that says what must hold. `make fuzz` prints such lines. A game is dropped when the behaviour
---- that it shows changes and no player could see it.
+--- that it shows changes and no player could see it. (#slow in a sentence: see spec/slow.lua.)
 
 local effort = require("spec.support.effort")
 local physics = require("physics")

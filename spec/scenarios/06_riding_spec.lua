@@ -301,9 +301,20 @@ describe("kinematic: when the platform is", function()
   })
 end)
 
+describe("x and y: what the game puts on a platform", function()
+  local ABOVE = { platform({ x = 0, width = 400, vx = 60 }), rider({ y = 100 }) }
+  row("rides from the next step on", SOME, ABOVE, {
+    { steps = 1 },
+    "rider.x, rider.y, rider.vy = 120, 376, 0",
+    { steps = 1, "rider at 120, 376" },
+    { 1, "rider at 120 + 60 * t, 376", "rider on platform" },
+  })
+end)
+
 describe("carry = false: a platform", function()
-  local function wide(friction)
-    return { platform({ x = 0, width = 400, carry = false }), rider({ friction = friction }) }
+  local function wide(friction, air)
+    local body = rider({ friction = friction, airFriction = air })
+    return { platform({ x = 0, width = 400, carry = false }), body }
   end
 
   row("slides away under what stands on it", SOME, wide(0), {
@@ -313,13 +324,15 @@ describe("carry = false: a platform", function()
     "rider heard 0, 0",
   })
 
-  row("drags what stands on it by friction only", SOME, wide(0.5), {
+  row("drags what stands on it by friction only, in air {air}", SOME, function(v)
+    return wide(0.5, v.air)
+  end, {
     SETTLE,
     "platform.vx = 100",
-    { 1 / 6, "rider.vx ~ 400 * t, 1e-6" },
+    { 1 / 6, "rider.vx ~ {speed}, 1e-6" },
     0.5,
     "rider.vx ~ 100",
-  })
+  }, { "air, speed", { 0, "400 * t" }, { 0.5, "800 * (1 - exp(-0.5 * t))" } })
 
   row("that is switched to it in the run lets its rider slide on beside it", SOME, ONE, {
     SETTLE,
