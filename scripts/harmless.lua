@@ -257,8 +257,10 @@ return {
   },
   {
     "physics/solver/ground.lua",
-    "return to[m] <= high and to[m] + size[m] >= low and to[t] <= right and to[t] + size[t] >= left",
-    "return to[m] <= high and to[m] + size[m] > low and to[t] <= right and to[t] + size[t] >= left",
+    "return to[m] <= high and to[m] + size[m] >= low "
+      .. "and to[t] <= right and to[t] + size[t] >= left",
+    "return to[m] <= high and to[m] + size[m] > low "
+      .. "and to[t] <= right and to[t] + size[t] >= left",
     "the rectangle is a px wider than what counts",
   },
   {
