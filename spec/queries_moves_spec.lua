@@ -149,6 +149,15 @@ describe("world:move", function()
     end)
   end
 
+  it("slides down a slope, and on along a floor that stands out of it", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local me = world:add("me", box(10, 70, 10, 10))
+    world:add("hills", box(10, 80, 100, 20, { static = true, slope = "left" }))
+    world:add("floors", box(60, 90, 300, 20, { static = true }))
+    local x, y = world:move(me, 150, 120)
+    assert.are.same({ 150, 80 }, { x, y })
+  end)
+
   it("crosses sensors and reports them in order", function()
     local world, me = newScene()
     world:add("coins", box(15, 0, 5, 5, { name = "near", sensor = true }))
