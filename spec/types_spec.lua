@@ -56,6 +56,9 @@ it("profile: a clock in it tells how long the stages of a step took", function()
     now = now + 2
     return now
   end
+  world:update(0) -- no step
+  assert.same({ read = 0, separate = 0, move = 0, solve = 0, write = 0 }, world.stats.times)
+  now = 0
   world:update(1 / 60)
   assert.same({ read = 2, separate = 2, move = 2, solve = 2, write = 2 }, world.stats.times)
   world.profile = os.clock
