@@ -69,6 +69,16 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
     expect(world, object, 100)
   end)
 
+  it("see what the game has put flush to a rectangle, with sideBySide", function()
+    local world = physics.newWorld({ sideBySide = true })
+    local object = world:add("a", sized(50, 50, 10, 10))
+    world:update(1 / 60)
+    for _, place in ipairs({ { 0, 10 }, { 10, 0 }, { 0, -10 }, { -10, 0 } }) do
+      object.x, object.y = place[1], place[2]
+      assert.equal(1, select(2, world:queryRect(0, 0, 10, 10)))
+    end
+  end)
+
   it("see what is switched on again", function()
     local world = build()
     local object = world:add("a", sized(0, 0, 10, 10, { active = false }))

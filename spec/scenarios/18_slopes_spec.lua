@@ -283,10 +283,12 @@ describe("slope: hills", function()
     "body at 50, 376",
   })
 
+  local SECOND = onHill(20)
+  table.insert(SECOND, 1, crate("other", 500, 384, 16, 16))
   row(
     "world:ground tells what it is, and the gradient",
     { rate = { 60 }, turn = { 0, 2 } },
-    onHill(20),
+    SECOND,
     {
       0.5,
       { "ground, gradient = world:ground(body.raw)", "ground == flat.raw", "gradient == 0" },
