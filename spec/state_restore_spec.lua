@@ -208,6 +208,24 @@ describe("world:restore", function()
     end
   end)
 
+  it("keeps between which two an object was crushed, if that was still to come", function()
+    local world, state, told = physics.newWorld({ gravity = 0 }), nil, nil
+    world:add("walls", mover(0, 0, 10, 10, { static = true }))
+    local box = world:add("boxes", mover(10, 0, 10, 10))
+    world:add("machines", mover(20, 0, 10, 10, { kinematic = true, vx = -60 }))
+    function box.onCrush() -- before world.onCrush
+      state = world:save()
+    end
+    world:update(DT)
+    local copy = physics.newWorld()
+    copy:restore(state)
+    function copy.onCrush(object, a, b)
+      told = { object.x, math.min(a.x, b.x), math.max(a.x, b.x) }
+    end
+    copy:update(0)
+    assert.are.same({ copy.objects.boxes[1].x, 0, 19 }, told)
+  end)
+
   it("keeps no object alive that has left, whatever the game has put into `touching`", function()
     local world = physics.newWorld({ gravity = 600 })
     local alive = setmetatable({}, { __mode = "k" })
