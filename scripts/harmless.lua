@@ -275,4 +275,16 @@ return {
     "if past >= time[i] then",
     "a piece without a length makes a path of nan, which meets nothing",
   },
+  {
+    "physics/objects/readFields.lua",
+    "b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0",
+    "b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 1",
+    "carriers are looked for where there are none; without a rider none is found",
+  },
+  {
+    "physics/memory/layout.lua",
+    "touchWidth = 0, -- scratch of write",
+    "touchWidth = 1, -- scratch of write",
+    "write sets it before it reads it",
+  },
 }
