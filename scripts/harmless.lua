@@ -287,4 +287,10 @@ return {
     "touchWidth = 1, -- scratch of write",
     "write sets it before it reads it",
   },
+  {
+    "physics/memory/layout.lua",
+    "fatHigh = 0,",
+    "fatHigh = 1,",
+    "it is written when a body is placed, and not read before",
+  },
 }
