@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1179 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3847 },
+  { "physics/solver", 3848 },
   { "physics/space", 385 },
   { "physics/state", 841 },
   { "physics/world", 1401 },

@@ -22,8 +22,8 @@ local EPSILON, OPPOSITE, INSIDE = columns.EPSILON, columns.OPPOSITE, columns.INS
 
 -- Returns the side of slot i on which two are flush at the end of the step, else 0; INSIDE if they
 -- overlap.
-local function sideOf(b, i, j)
-  return b.hasShapes and touch.side(b, i, j) or columns.flushSide(b, i, j)
+local function sideOf(b, p, i, j)
+  return b.hasShapes and touch.side(b, p, i, j) or columns.flushSide(b, i, j)
 end
 
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
@@ -111,7 +111,7 @@ end
 
 -- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
-  local side = sideOf(b, i, j)
+  local side = sideOf(b, p, i, j)
   b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     return deepContact(b, p, i, j)
@@ -122,7 +122,7 @@ end
 
 -- Returns the side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
-  if sideOf(b, i, j) ~= INSIDE or b.passing[p] then
+  if sideOf(b, p, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
   local side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]

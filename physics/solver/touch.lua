@@ -133,13 +133,15 @@ function touch.contact(b, i, j)
   return axis, kl, kh, apart(b, i, j, axis, isLow, from[2 * i + t], from[2 * j + t])
 end
 
---- Returns the side of slot i at which two are flush at the end of the step, else 0; -1: they are
---- inside each other. Nil: they are boxes.
-function touch.side(b, i, j)
+--- Returns the side of slot i at which it and j, of pair p, are flush at the end of the step, else
+--- 0; -1: they are inside each other. Nil: they are boxes. (What slides around something round is
+--- beside it at the end of a step, on the tangent.)
+function touch.side(b, p, i, j)
   local slack, q, isLow, gap, nx, ny = EPSILON
   if b.hasRound and ball.isRound(b, i, j) then
     gap, nx, ny = ball.gapIn(b, b.to, i, j)
-    slack = (ball.isInHeap(b, i) or ball.isInHeap(b, j)) and SLACK or slack
+    local isKnown = b.hit[p] ~= 0 or b.contact[p] ~= 0
+    slack = (isKnown or ball.isInHeap(b, i) or ball.isInHeap(b, j)) and SLACK or slack
     q, isLow = shapes.sideOf(nx, ny, false)
   elseif haveFaces(b, i, j) then
     local box, its = order(b, i, j)

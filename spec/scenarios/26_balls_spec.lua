@@ -192,6 +192,25 @@ describe("radius: a ball", function()
     end
   end)
 
+  -- Its places at the ends of steps are on tangents, up to 0.05 px beside the stone.
+  it("touches a stone once, with one onBegin, while the game drives it around that", function()
+    local world, begins, ends = physics.newWorld({ gravity = 0 }), 0, 0
+    world:add("stones", ball(0, 0, 60, { static = true }))
+    local object = world:add("balls", ball(-92, -6, 8))
+    function world.onBegin()
+      begins = begins + 1
+    end
+    function world.onEnd()
+      ends = ends + 1
+    end
+    for _ = 1, 240 do
+      object.vx = 80
+      world:update(1 / 60)
+    end
+    assert.is_true(object.y < -80)
+    assert.same({ 1, 1 }, { begins, ends })
+  end)
+
   it("slides down the flank of a stone without friction: its energy is kept", function()
     local world = physics.newWorld({ gravity = 800 })
     world:add("stones", ball(100, 100, 50, { static = true }))
