@@ -243,7 +243,7 @@ describe("slope: hills", function()
   local DIP = { solid("flat", -400, 400, 480, 40), solid("far", 112, 400, 1600, 40) }
   DIP[3], DIP[4] = slope(80, 400, 16, 8, "left"), slope(96, 400, 16, 8, "right")
   DIP[5], DIP[6] = solid("ceiling", -400, 356, 2000, 20), body({ x = 0, y = 376 })
-  row("(P8) have a dip below a ceiling that stops nobody", { rate = { 30, 60, 144 } }, DIP, {
+  row("(P8) have a dip below a ceiling that stops nothing", { rate = { 30, 60, 144 } }, DIP, {
     { 0.5, keep = "body.vx = 2400", "body.x ~ 2400 * t" },
   })
 
