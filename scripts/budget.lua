@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1179 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3848 },
+  { "physics/solver", 3849 },
   { "physics/space", 385 },
   { "physics/state", 841 },
   { "physics/world", 1401 },

@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "32590179153681",
-  games5000001 = "970701236",
-  games5000004 = "1605779560",
-  games5000009 = "642691161",
+  games5000001 = "1086589884",
+  games5000004 = "610788816",
+  games5000009 = "2023217750",
   wild = "1081730282",
 }

@@ -128,7 +128,7 @@ describe("world:shift", function()
       world:update(DT)
       one.width = 60
       world:shift(300, -200)
-      small.run(world, 20)
+      small.run(world, 10)
       assert.near(290, one.x, 1e-6)
     end
   )

@@ -134,13 +134,14 @@ function touch.contact(b, i, j)
 end
 
 --- Returns the side of slot i at which it and j, of pair p, are flush at the end of the step, else
---- 0; -1: they are inside each other. Nil: they are boxes. (What slides around something round is
---- beside it at the end of a step, on the tangent.)
+--- 0; -1: they are inside each other. Nil: they are boxes. (What is driven around something round
+--- is beside it at the end of a step, on the tangent. In heaps it would rest there.)
 function touch.side(b, p, i, j)
   local slack, q, isLow, gap, nx, ny = EPSILON
   if b.hasRound and ball.isRound(b, i, j) then
     gap, nx, ny = ball.gapIn(b, b.to, i, j)
-    local isKnown = b.hit[p] ~= 0 or b.contact[p] ~= 0
+    local isKnown = not (path.isPulled(b, i) or path.isPulled(b, j))
+    isKnown = isKnown and (b.hit[p] ~= 0 or b.contact[p] ~= 0)
     slack = (isKnown or ball.isInHeap(b, i) or ball.isInHeap(b, j)) and SLACK or slack
     q, isLow = shapes.sideOf(nx, ny, false)
   elseif haveFaces(b, i, j) then
