@@ -73,15 +73,15 @@ local function put(b, i, j, k, turn, height)
 end
 
 -- Lowers slot i by at most `most` px at each edge.
-local function lower(b, i, most, dt)
+local function lower(b, i, most)
   local axis = axisOf(b, i)
   local k, t = 2 * i + axis, 2 * i + 1 - axis
   local turn, x = b.down[k], b.to[t]
   if isOnSupport(b, i, axis, turn) then
     return
   end
-  local x0, here = b.origin[t] + b.carried[t] * dt, turn * b.to[k]
-  local start, low = turn * (b.origin[k] + b.carried[k] * dt), here + most
+  local x0, here = path.home(b, t), turn * b.to[k]
+  local start, low = turn * path.home(b, k), here + most
   local drop = max(here - start, 0.0) + most * (1 + max(x - x0, x0 - x))
   ground.list(b, i, axis, turn, x0, x, start, drop)
   local j, height = ground.highest(b, i, axis, turn, x, here)
@@ -96,7 +96,7 @@ local function lower(b, i, most, dt)
 end
 
 --- Lowers what has run off the ground that it stood on, and what stands on that, the lowest first.
-function snap.run(b, dt)
+function snap.run(b)
   b.snaps = b.snaps or { list = {}, height = {}, lowered = {} } -- px in this step
   local lowered, list, height, count = b.snaps.lowered, b.snaps.list, b.snaps.height, 0
   for n = 1, b.awakeCount do
@@ -113,7 +113,7 @@ function snap.run(b, dt)
     local i = list[n]
     local most = max(b.snap[i], lowered[b.support[i]] or 0)
     if most > 0 then
-      lower(b, i, most, dt)
+      lower(b, i, most)
     end
   end
 end

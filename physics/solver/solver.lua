@@ -148,7 +148,7 @@ local function prepare(b, dt)
 end
 
 -- Makes the rounds, until bodies are woken. Returns whether bodies may have left the ground since
--- it was followed.
+-- it was followed, or may end in each other.
 local function runRounds(b, dt, awakenings)
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings or not rounds.run(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
@@ -202,7 +202,7 @@ local function solve(b, dt)
     relax.run(b, dt, hasChanged)
   end
   if b.hasSnaps then
-    snap.run(b, dt)
+    snap.run(b)
   end
   if b.awakenings ~= awakenings then
     return false
