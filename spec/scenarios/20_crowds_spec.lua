@@ -221,35 +221,15 @@ describe("radius: a crowd in which one of two is a circle", function()
   end)
 end)
 
--- Presses boxes from all sides to `middle` for a second. Some are circles, by a share. Returns how
--- deep two boxes have been in each other, and anything in the middle, px.
-local function press(seed, middle, most, balls)
-  local random, world, others = newRandom(seed), physics.newWorld({ gravity = 0 }), {}
-  local reach = 30 + 14 * math.sqrt(most)
-  world:add("middles", middle)
-  for _ = 1, random:integer(most / 2, most) do
-    local size, far = random:between(14, 20), false
-    local other = { width = size, height = size }
-    other.radius = random:chance(balls) and size / 2 or nil
-    while not far do
-      other.x, other.y, far = random:between(-reach, reach), random:between(-reach, reach), true
-      for n = 0, #others do
-        far = far and watcher.depth(other, others[n] or middle) < -1
-      end
-    end
-    others[#others + 1] = world:add("others", other)
-  end
-  local between, inMiddle, depths = 0, 0, newOverlaps(others)
+-- Plays a crowd that begins near its goal, for a second. Returns how deep its boxes have been in
+-- each other, and any of it in `middle`, px.
+local function press(crowd, middle)
+  local depths, between, inMiddle = newOverlaps(crowd.enemies), 0, 0
   for _ = 1, 60 do
-    for _, other in ipairs(others) do
-      local x, y = -other.x - other.width / 2, -other.y - other.height / 2
-      local way = math.max(math.sqrt(x * x + y * y), 1)
-      other.vx, other.vy = 80 * x / way, 80 * y / way
-    end
-    world:update(1 / 60)
-    between = balls > 0 and 0 or math.max(between, (depths()))
-    for _, other in ipairs(others) do
-      inMiddle = math.max(inMiddle, watcher.depth(other, middle))
+    crowd:step(1 / 60)
+    between = math.max(between, (depths()))
+    for _, enemy in ipairs(crowd.enemies) do
+      inMiddle = math.max(inMiddle, watcher.depth(enemy, middle))
     end
   end
   return between, inMiddle
@@ -258,23 +238,25 @@ end
 describe("radius, pushable and strength: what presses to", function()
   -- What pushed a box along one axis pressed it into the slant again, until the rounds ran out.
   it("a round stone ends in no other and not in the stone", function()
-    for _, seed in ipairs({ 3, 7, 9 }) do
+    for _, seed in ipairs({ 2, 3, 4 }) do
+      local crowd = crowds.new({ count = 12, seed = seed, goal = "point", drive = "vx", ring = 2 })
       local stone = { x = -16, y = -16, radius = 16, static = true }
-      local between, inStone = press(seed, stone, 12, 0)
+      crowd.world:add("stones", stone)
+      local between, inStone = press(crowd, stone)
       assert.same({ seed, true, true }, { seed, between < 1e-6, inStone < 1e-6 })
     end
   end)
 
-  -- seed, boxes at most, share of circles, field of the player
-  for _, row in ipairs({
-    { 26, 45, 0, "pushable", false },
-    { 139, 25, 0.4, "pushable", false },
-    { 139, 25, 0.4, "strength", 1 },
-  }) do
-    local seed, most, balls, field, value = row[1], row[2], row[3], row[4], row[5]
-    it(("a player (%s, up to %d, seed %d) is never in it"):format(field, most, seed), function()
-      local player = { x = -9, y = -9, width = 18, height = 18, [field] = value }
-      local _, inPlayer = press(seed, player, most, balls)
+  -- seed, number, squares to the first of them, share of circles, strength
+  for _, row in ipairs({ { 48, 36, 2 }, { 188, 20, 1, 0.4 }, { 188, 20, 1, 0.4, 1 } }) do
+    local goal = row[5] and "heavy" or "firm"
+    local name = row[5] and "strong" or goal
+    it(("a %s player is never in it: %d, of seed %d"):format(name, row[2], row[1]), function()
+      local options = { count = row[2], seed = row[1], goal = goal, drive = "vx" }
+      options.ring, options.balls = row[3], row[4]
+      local crowd = crowds.new(options)
+      crowd.player.strength = row[5]
+      local _, inPlayer = press(crowd, crowd.player)
       assert.is_true(inPlayer < 1e-3, inPlayer .. " px")
     end)
   end

@@ -71,7 +71,7 @@ end
 
 -- From the inside outwards, as many on a square as it has room for, nearly.
 local function addEnemies(self, options)
-  local random, ring, tries = newRandom(options.seed), 5, 0
+  local random, ring, tries = newRandom(options.seed), options.ring or 5, 0
   while #self.enemies < options.count do
     local x, y = placeOn(random, ring)
     addEnemy(self, random, x, y, options)
@@ -135,6 +135,7 @@ end
 --- Makes a crowd.
 ---@param options table count, seed, goal, drive ("vx" or "ax"), settings of the world;
 ---`balls`: the share of them that are circles;
+---`ring`: cells from the middle to the first of them, default 5;
 ---`startsInside`: many of them start inside others, or in pillars
 ---@return table crowd `world`, `player`, `enemies`, `objects` (all of them)
 function crowds.new(options)
