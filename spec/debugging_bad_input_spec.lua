@@ -17,8 +17,6 @@ local newBox, newScene, newStranger = wrong.newBox, wrong.newScene, wrong.newStr
 local checkGoesOn, snapshot, throw = wrong.checkGoesOn, wrong.snapshot, wrong.throw
 local nameOf, newValues, someValues = wrong.nameOf, wrong.newValues, wrong.someValues
 
-effort.interpret(setup, teardown)
-
 -- Refusals ----------------------------------------------------------------------------------------
 
 local counts = { taken = 0, refused = 0 }

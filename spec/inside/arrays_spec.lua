@@ -1,7 +1,10 @@
 --- Columns in typed arrays (physics/memory/arrays.lua): LuaJIT checks no index of them. Here tables
 --- stand for them that check all, and that know when they are no column any more.
 
+local effort = require("spec.support.effort")
 local fresh = require("spec.support.fresh")
+
+effort.interpret(setup, teardown)
 
 -- The first value of each kind, and whether it may hold another one.
 local FIRST = { double = 0, int32_t = 0, bool = false }
@@ -20,11 +23,10 @@ local function guarded(kind, last, old)
   end
   values[0] = values[0] or FIRST[kind]
   local function at(k)
-    local text = "place %s of 0 to %d, of an array that is%s a column"
-    assert(
-      not isGone and k >= 0 and k <= last and k % 1 == 0,
-      text:format(k, last, isGone and " no more" or "")
-    )
+    if isGone or k < 0 or k > last or k % 1 ~= 0 then
+      local text = "place %s of 0 to %d, of an array that is%s a column"
+      error(text:format(k, last, isGone and " no more" or ""))
+    end
     return k
   end
   return setmetatable({}, {
@@ -32,7 +34,7 @@ local function guarded(kind, last, old)
       return values[at(k)]
     end,
     __newindex = function(_, k, value)
-      assert(fits(kind, value), tostring(value))
+      assert(fits(kind, value), value)
       values[at(k)] = value
     end,
     __call = function()

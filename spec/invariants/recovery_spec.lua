@@ -6,8 +6,6 @@ local effort = require("spec.support.effort")
 local physics = require("physics")
 local small = require("spec.support.small")
 
-effort.interpret(setup, teardown)
-
 local DT = 1 / 60
 local FAILURE = "an object fails"
 

@@ -81,10 +81,10 @@ describe("x, vx and pushable: a crowd", function()
         if isUsual and effort.isFirst or effort.plays(row, 8) then
           it(name, function()
             local options = { count = 80, seed = 4, goal = goal, drive = drive }
-            -- In a selection others than the usual one are watched while the crowd arrives.
-            local seconds = (isUsual and rate == 60) and 8 or 4
+            -- Others than the usual one are watched while the crowd arrives.
+            local seconds = (isUsual and rate == 60) and 6 or 3
             local crowd = play(options, seconds, rate)
-            if isUsual and seconds >= 8 then
+            if isUsual and seconds >= 6 then
               expectNear(crowd.enemies)
             end
           end)
@@ -94,7 +94,7 @@ describe("x, vx and pushable: a crowd", function()
       if effort.plays(row, 8) then
         it(name, function()
           local options = { count = 120, seed = 5, goal = goal, drive = drive, startsInside = true }
-          play(options, 4, 60)
+          play(options, effort.isWhole and 4 or 2, 60)
         end)
       end
     end
@@ -125,7 +125,8 @@ describe("x, vx and pushable: a crowd", function()
   -- Balls that boxes press part slanted: what a wall holds must not push through to the player.
   long("of boxes and balls leaves an unpushable player in a lane where it is", function()
     for seed = 1, effort.share(2) do
-      local options = { count = 120, seed = seed, goal = "firm", drive = "vx", balls = 0.4 }
+      local options = { count = effort.share(120, 60), seed = seed, goal = "firm", drive = "vx" }
+      options.balls = 0.4
       local crowd = crowds.new(options)
       for _, y in ipairs({ -60, 40 }) do
         crowd.world:add("walls", { x = -80, y = y, width = 160, height = 20, static = true })
@@ -207,7 +208,7 @@ describe("radius: a crowd in which one of two is a circle", function()
   it("presses to an unpushable player without a hop", function()
     local crowd = crowds.new({ count = 60, seed = 2, goal = "firm", drive = "vx", balls = 0.5 })
     local most = crowds.FASTEST / 60 + 20 / 16 -- its own way, and a sixteenth of its size
-    for step = 1, 200 do
+    for step = 1, 120 do
       local places = {}
       for n, enemy in ipairs(crowd.enemies) do
         places[n] = { enemy.x, enemy.y }
