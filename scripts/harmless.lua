@@ -293,4 +293,30 @@ return {
     "fatHigh = 1,",
     "it is written when a body is placed, and not read before",
   },
+  {
+    "physics/solver/nudge.lua",
+    "return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack",
+    "return size >= EPSILON and size <= b.nudge[i] + EPSILON and not isBack",
+    "a way of exactly that much does not come out of the places, which are sums",
+  },
+  {
+    "physics/solver/ground.lua",
+    "return to[m] <= high and to[m] + size[m] >= low and to[t] <= right"
+      .. " and to[t] + size[t] >= left",
+    "return to[m] < high and to[m] + size[m] >= low and to[t] <= right"
+      .. " and to[t] + size[t] >= left",
+    "the rectangle reaches a px further than what can be ground",
+  },
+  {
+    "physics/solver/walk.lua",
+    "if moment and (n == last or moment < past - TIE - EPSILON / max(way, -way)) then",
+    "if moment and (n == last or moment <= past - TIE - EPSILON / max(way, -way)) then",
+    "what is met at that very moment is met on the next piece, too, at the same place",
+  },
+  {
+    "physics/state/restore.lua",
+    "velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0",
+    "velocity[k], velocity[k + 1] = (object.vx or 1) + 0.0, (object.vy or 0) + 0.0",
+    "what has no velocity differs from it at the next step, which takes it over as 0",
+  },
 }

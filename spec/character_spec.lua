@@ -95,15 +95,19 @@ describe("strength", function()
   local strong = scene.maker("players", { strength = 1 })
   -- A ball above and to the left of another one, or of a box, at 45 degrees or so.
   play.row("holds where a ball meets a {what} slanted", play.ONCE, function(v)
-    local one = strong("player", 0, 0, 20, 20, { radius = v.radius })
+    local one = strong("player", 0, 0, 20, 20, { radius = v.radius, mass = 2 })
     local ball = scene.maker("enemies", { radius = 10, vx = -60, vy = -58 })("ball", 30, 29, 20, 20)
     return { gravity = 0, one, ball }
   end, {
     { "run:play(1); player at 0, 0; player still" },
     -- It pushes a fifth of the mass of what it runs into.
-    "other = world:add('enemies', { x = 330, y = 14, radius = 10 })",
-    { "player.x, player.y, player.vx = 300, 0, 100", 1, "player.vx + 0.2 * other.vx ~ 100, 1e-6" },
-    "other.vx > 40; player.vx > 70",
+    "other = world:add('enemies', { x = 330, y = 14, radius = 10, mass = 3 })",
+    {
+      "player.x, player.y, player.vx = 300, 0, 100",
+      1,
+      "2 * player.vx + 0.2 * 3 * other.vx ~ 200, 1e-6",
+    },
+    "other.vx > 39; player.vx > 70",
   }, { "what, radius", { "box" }, { "ball", 10 } })
 
   play.row("does not let it through walls, nor what it pushes", play.ONCE, {

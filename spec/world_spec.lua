@@ -273,15 +273,17 @@ describe("world:explode", function()
   it("pushes those that the filter names, and are in sight", function()
     local world = still()
     local shown, hidden = world:add("crates", crate(-60, -10)), world:add("crates", crate(60, -10))
-    local gem = world:add("gems", crate(-60, 20))
-    local wall = world:add("walls", crate(30, -50, { height = 100, static = true }))
+    local low, gem = world:add("crates", crate(-10, 60)), world:add("gems", crate(-60, 20))
+    -- They hide the centres only.
+    local wall = world:add("walls", crate(30, -50, { height = 54, static = true }))
+    world:add("walls", crate(-50, 30, { width = 54, static = true }))
     local function pushed(...)
       local list, count = world:explode(0, 0, 100, 10, ...)
       assert.are.equal(count, #list)
       return list
     end
-    assert.are.same({ shown, hidden, gem }, pushed())
-    assert.are.same({ shown, hidden }, pushed("crates"))
+    assert.are.same({ shown, hidden, low, gem }, pushed())
+    assert.are.same({ shown, hidden, low }, pushed("crates"))
     assert.are.same({ shown }, pushed("crates", "walls"))
     -- A crate does not hide itself.
     assert.are.same({ shown, gem }, pushed(nil, { "walls", "crates" }))

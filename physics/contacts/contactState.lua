@@ -44,7 +44,7 @@ local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
     return
-  elseif b.wedged[p] ~= 0 or (b.hasShapes and touch.haveFaces(b, i, j)) then
+  elseif b.hasShapes and touch.haveFaces(b, i, j) then
     return
   end
   local position, size = b.position, b.size

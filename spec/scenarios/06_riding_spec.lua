@@ -309,6 +309,13 @@ describe("x and y: what the game puts on a platform", function()
     { steps = 1, "rider at 120, 376" },
     { 1, "rider at 120 + 60 * t, 376", "rider on platform" },
   })
+
+  local SINKING = { platform({ vy = 60, oneWay = "top" }), rider({ y = 100 }) }
+  row("rides a one-way platform that moves away from below it", SOME, SINKING, {
+    { steps = 1 },
+    "rider.y, rider.vy = platform.y - 24, 0",
+    { 1, "rider.y ~ platform.y - 24" },
+  })
 end)
 
 describe("carry = false: a platform", function()

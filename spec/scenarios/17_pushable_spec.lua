@@ -7,6 +7,7 @@ local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
 local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
+local SQUEEZED = { turn = variants.TURNS, shift = { 0 }, push = { "both" } }
 local row = play.row
 local solid = scene.maker("tiles", { static = true })
 local machine = scene.maker("walls", { kinematic = true })
@@ -189,6 +190,13 @@ describe("pushable = false", function()
     { 1, keep = "P.vx = 100" },
     "U.x ~ x",
   })
+
+  -- In a passage of 16 px, with 8 px of room for P between U and V.
+  row("leaves no room to P, which passes the one of {width} px", SQUEEZED, function(v)
+    local one, other = box("U", 24 - v.width, 100), box("V", 32, 100)
+    one[2].width = v.width
+    return { gravity = 0, FLOOR, solid("roof", -500, 84, 1500, 16), one, other, box("P", 20, 100) }
+  end, { 1, "P at x, 100" }, { "width, x", { 28, 48 }, { 6, 2 } })
 end)
 
 --   +--------+
