@@ -177,6 +177,18 @@ describe("x, y, push and mass: boxes on the very same spot", function()
   })
 end)
 
+-- (What nothing pulls, as enemies of a crowd, parts by a sixteenth of its size at most.)
+describe("gravity and vx: a row of crates that slides, and overlaps a little,", function()
+  local SLIDING = { solid(-500, 16, 1000, 16) }
+  for n = 0, 7 do
+    SLIDING[n + 2] = movable(n == 7 and "last", 15.1 * n, 0, 16, 16)
+    SLIDING[n + 2][2].vx = 60
+  end
+  row("parts in one step", play.ONCE, SLIDING, {
+    { steps = 1, "last.x ~ 15.1 * 7 + 60 / 60 + 0.9 * 7 / 2" },
+  })
+end)
+
 describe("x and y: a body between two walls that are too narrow", function()
   --   +--+    +--+
   --   |  +----+  |    20 px of room for 24 px
