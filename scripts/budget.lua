@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics/maps", 2177 },
   { "physics/memory", 912 },
   { "physics/motion", 992 },
-  { "physics/objects", 1177 },
+  { "physics/objects", 1176 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
   { "physics/solver", 3846 },
