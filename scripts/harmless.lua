@@ -319,4 +319,28 @@ return {
     "velocity[k], velocity[k + 1] = (object.vx or 1) + 0.0, (object.vy or 0) + 0.0",
     "what has no velocity differs from it at the next step, which takes it over as 0",
   },
+  {
+    "physics/queries/rays.lua",
+    "local isFirst = at < bound or (at == bound and (best == 0 or c.rank[n] < c.rank[best]))",
+    "local isFirst = at < bound or (at == bound and (best == 0 or c.rank[n] <= c.rank[best]))",
+    "no two objects have one rank, and each is looked at once",
+  },
+  {
+    "physics/solver/relax.lua",
+    "local isStruck = (closingOf(b, i, j, nx, ny) - fall) * dt > STRUCK * ball.smallest(b, i, j)",
+    "local isStruck = (closingOf(b, i, j, nx, ny) - fall) * dt >= STRUCK * ball.smallest(b, i, j)",
+    "exactly that speed along a slanted normal does not come out of the numbers",
+  },
+  {
+    "physics/solver/pool.lua",
+    "local isEven = more <= EPSILON and more >= -EPSILON",
+    "local isEven = more < EPSILON and more >= -EPSILON",
+    "a way of exactly that much does not come out of the places, which are sums",
+  },
+  {
+    "physics/memory/layout.lua",
+    "crushed = false, -- that is too much: it is crushed in this step,",
+    "crushed = true, -- that is too much: it is crushed in this step,",
+    "path.begin resets it for each awake body, and it is read of no other",
+  },
 }

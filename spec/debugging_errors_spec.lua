@@ -379,6 +379,16 @@ describe("every function: a call", function()
     end)
   end
 
+  it("says which field is missing from an object in place of a group", function()
+    local world = physics.newWorld()
+    for missing, given in pairs({ y = { x = 5 }, x = { y = 5 } }) do
+      world.objects.player = given
+      refuses("objects.player." .. missing .. " must be a number, got nil", function()
+        world:update(0)
+      end)
+    end
+  end)
+
   it("says that objects is no table, whichever it is", function()
     local world = physics.newWorld()
     world.objects = 3

@@ -44,6 +44,12 @@ describe("soft: objects", function()
     assert.near(105, (a.x + b.x) / 2, 1e-6)
   end)
 
+  it("drift in parts of a step if they are fast: all at once it would be to 40 px", function()
+    local world, a, b = pair(nil, nil, { enemies = { enemies = 3600 } })
+    run(world, 1)
+    assert.near(25, b.x - a.x, 1e-9)
+  end)
+
   -- The last one of a row is pushed by three others at once.
   it("drift no faster than the setting says, along both axes", function()
     for axis = 0, 1 do

@@ -148,7 +148,7 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
       { "y", 0 / 0, "must be a number, got nan" },
       { "x", 1e150, "must be a number in -1e+100..1e+100, got 1e+150" },
       { "width", 1 / 0, "must be a finite number > 0, got inf" },
-      { "height", -1, "must be a number > 0, got -1" },
+      { "height", 0, "must be a number > 0, got 0" },
       { "height", 1e150, "must be a number > 0 and <= 1e+100, got 1e+150" },
       { "active", "yes", 'must be true or false, got "yes"' },
     }) do

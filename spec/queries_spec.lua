@@ -46,6 +46,7 @@ local function four(settings)
 end
 
 describe("queryPoint, queryRect, querySegment and overlapping", function()
+  local OLD = { name = "old" }
   for _, row in ipairs({
     -- what, the method, its arguments, which are found, and which with `sideBySide`
     { "in one", "queryPoint", { 5, 5 }, "1" },
@@ -76,7 +77,7 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
     it(row[2] .. " finds: " .. row[1], function()
       for _, sideBySide in ipairs({ false, true }) do
         local world, out, given =
-          four({ sideBySide = sideBySide }), { "a", "b", "c", "d", "e" }, row[3]
+          four({ sideBySide = sideBySide }), { OLD, OLD, OLD, OLD, OLD }, row[3]
         if row[2] == "overlapping" then
           given = { ({ world.objects.a[1], nil, world.objects.b[1] })[given[1]], given[2] }
         end

@@ -178,6 +178,34 @@ describe("x, vx and pushable: a crowd", function()
     end
   end)
 
+  it("at one spot without room for it goes to even places, and does not fall before", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:setBounds(-12.5, -12.5, 25, 25)
+    for _ = 1, 9 do
+      world:add("bodies", { x = -5, y = -5, width = 10, height = 10 })
+    end
+    small.run(world, 2) -- half of its size a step
+    for n, body in ipairs(world.objects.bodies) do
+      local column, line = math.floor((n - 1) / 2), (n - 1) % 2
+      assert.same({ n, 3.75 * column - 12.5, 10 * line - 10 }, { n, body.x, body.y })
+    end
+  end)
+
+  it("at one spot lies beside a wall that begins or ends near it", function()
+    for _, y in ipairs({ -62, 2 }) do
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("walls", { x = 8, y = y, width = 20, height = 60, static = true })
+      for _ = 1, 9 do
+        world:add("bodies", { x = -5, y = -5, width = 10, height = 10 })
+      end
+      small.run(world, 60)
+      for n, body in ipairs(world.objects.bodies) do
+        local column, line = math.floor((n - 1) / 3), (n - 1) % 3
+        assert.same({ y, 10 * column - 22, 10 * line - 15 }, { y, body.x, body.y })
+      end
+    end
+  end)
+
   -- count of boxes of 10 px; width and height of the room around them; columns and rows
   for _, given in ipairs({ { 9, 900, 900, 3, 3 }, { 12, 900, 25, 6, 2 }, { 12, 25, 900, 2, 6 } }) do
     local count, width, height, columns, rows = given[1], given[2], given[3], given[4], given[5]
