@@ -139,6 +139,31 @@ describe("x, vx and pushable: a crowd", function()
     end
   end)
 
+  it(
+    "of a box and two circles in a room leaves an unpushable player on its straight way",
+    function()
+      local world = physics.newWorld({ gravity = 0 })
+      world:setBounds(0, 0, 100, 60)
+      local player = world:add("players", small.put(2, 20, 16, 16, { pushable = false }))
+      for n, place in ipairs({ { 78, 27 }, { 53, 7 }, { 27, 16 } }) do
+        world:add(
+          "enemies",
+          small.put(place[1], place[2], 12, 12, { radius = n ~= 2 and 6 or nil })
+        )
+      end
+      for _ = 1, 90 do
+        for _, enemy in ipairs(world.objects.enemies) do
+          local dx, dy = player.x + 5 - enemy.x, player.y + 5 - enemy.y
+          local share = 75 / math.max(1, math.sqrt(dx * dx + dy * dy))
+          enemy.vx, enemy.vy = share * dx, share * dy
+        end
+        player.vx, player.vy = 60, 0
+        world:update(1 / 60)
+        assert.same({ 20, 0 }, { player.y, player.vy })
+      end
+    end
+  )
+
   -- Most of them overlap the player, or each other; it must not go anywhere.
   it("of bodies put onto an unpushable player at rest leaves it where it is", function()
     for seed = 1, effort.share(5, 2) do
