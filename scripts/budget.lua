@@ -6,18 +6,18 @@
 
 local BUDGET = {
   { "physics.lua", 94 },
-  { "physics/broadphase", 645 },
+  { "physics/broadphase", 648 },
   { "physics/contacts", 364 },
   { "physics/fields", 653 },
   { "physics/maps", 2177 },
-  { "physics/memory", 912 },
+  { "physics/memory", 911 },
   { "physics/motion", 992 },
-  { "physics/objects", 1176 },
+  { "physics/objects", 1174 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3846 },
+  { "physics/solver", 3845 },
   { "physics/space", 385 },
-  { "physics/state", 841 },
+  { "physics/state", 839 },
   { "physics/world", 1401 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

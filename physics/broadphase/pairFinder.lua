@@ -3,9 +3,10 @@
 --- part in a step.
 --
 -- Each object has a fat box: the hull of its path plus a margin. Two objects are neighbours, a
--- pair, if their fat boxes meet. As long as a path stays inside the fat box, the neighbours stay
--- the same, and nothing is looked up. A larger set of neighbours changes no result, since each
--- pair is tested exactly later on. So broad phases and margins may differ, the bits do not.
+-- pair, if their fat boxes meet. As long as a path stays inside the fat box, and half of KNOWN from
+-- its edge, the neighbours stay the same, and nothing is looked up. A larger set of neighbours
+-- changes no result, since each pair is tested exactly later on. So broad phases and margins may
+-- differ, the bits do not.
 --
 -- Reads from, to, size, awake; writes fatLow, fatHigh, the pairs, live and the step columns of the
 -- pairs, and `support` where that has ended.
@@ -21,6 +22,11 @@ local pairFinder = {}
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local contact = grid.contact
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+
+--- px: all pairs are known that come as near as that.
+pairFinder.KNOWN = 1
+-- What a path leaves free of its fat box for that, px.
+local FREE = pairFinder.KNOWN * 0.5
 
 -- Margin around a path, px, and around a static object, which does not move.
 local MARGIN = 1
@@ -192,7 +198,7 @@ function pairFinder.run(b, list, count)
     -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
-    if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+    if (max(outX, outY) > -FREE or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
@@ -202,7 +208,7 @@ function pairFinder.run(b, list, count)
   end
 end
 
---- Notes that the game has moved or resized an object since its last step.
+--- Notes that the game has moved, resized or filtered an object anew since its last step.
 function pairFinder.markMoved(b, i)
   if not b.moved[i] then
     b.moved[i] = true
@@ -240,6 +246,7 @@ end
 --- ends the pairs that are no longer possible and has the neighbours looked up anew. Contacts must
 --- have been ended before.
 function pairFinder.refilter(b, i)
+  pairFinder.markMoved(b, i)
   if b.active[i] then
     unlink(b, i)
     b.placed[i] = min(b.placed[i], 1)

@@ -347,20 +347,17 @@ local function part(b, p)
 end
 
 --- Parts the bodies that the game has put into each other, and those that the last step left so.
---- After a change of the world's masks all awake bodies are examined.
 function overlap.run(b)
   local work = b.partWork
   work.round, work.count, work.movedCount = work.round + 1, 0, 0
   for n = 1, b.movedCount do
     considerAll(b, b.movedList[n])
   end
-  for n = 1, (b.hasInside or b.isRemasked) and b.awakeCount or 0 do
-    local i = b.awakeList[n]
-    if b.inside[i] or b.isRemasked then
-      considerAll(b, i)
+  for n = 1, b.hasInside and b.awakeCount or 0 do
+    if b.inside[b.awakeList[n]] then
+      considerAll(b, b.awakeList[n])
     end
   end
-  b.isRemasked = false
   for _ = 1, ROUNDS do
     if work.count == 0 then
       return

@@ -36,7 +36,7 @@ local FAR = 1000
 -- 1 from the beginning, see memory/layout.)
 local function release(b, axis)
   local list, give, heldLow, heldHigh = b.awakeList, b.give, b.heldLow, b.heldHigh
-  local squeezed = b.squeezed
+  local squeezed, holderLow, holderHigh = b.squeezed, b.holderLow, b.holderHigh
   for n = 1, b.awakeCount do
     local k = 2 * list[n] + axis
     squeezed[k] = 0
@@ -44,7 +44,7 @@ local function release(b, axis)
       heldLow[k], heldHigh[k] = 0, 0
     else
       heldLow[k] = b.kind[list[n]] == DYNAMIC and FAR or 1
-      heldHigh[k] = heldLow[k]
+      heldHigh[k], holderLow[k], holderHigh[k] = heldLow[k], k, k
     end
   end
 end

@@ -138,9 +138,6 @@ local function restoreSettings(world, saved)
     write(world, row, saved[row.name], true)
   end
   settings.apply(world)
-  -- The state may have a contact that they forbid: the next step applies them anew.
-  local b = world._bodies
-  b.applied.masks, b.applied.soft, b.isRemasked = nil, nil, true
 end
 
 -- Reading -----------------------------------------------------------------------------------------
