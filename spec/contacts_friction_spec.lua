@@ -471,4 +471,10 @@ describe("friction: of a stack", function()
     { "is held", 0, false },
     { "has a jet, which bears the crate, too", nil, nil, -800.8 },
   })
+  -- 400 px/s² of friction against 2 / s of air.
+  play.row("drags what is in air, whatever it weighs: {mass} kg", play.ONCE, function(v)
+    local raft = scene.maker("rafts", { friction = 0.5, mass = 1e9, gravity = 0, vx = 300 })
+    local high = { friction = 0.5, mass = v.mass, airFriction = 2 }
+    return { raft("raft", 0, 100, 400, 16), scene.maker("crates", high)("high", 90, 84, 16, 16) }
+  end, { { 0.25, "high.vx ~ 200 * (1 - exp(-2 * t)), 1e-6" } }, { "mass", { 1 }, { 3 } })
 end)
