@@ -343,4 +343,34 @@ return {
     "crushed = true, -- that is too much: it is crushed in this step,",
     "path.begin resets it for each awake body, and it is read of no other",
   },
+  {
+    "physics/solver/ground.lua",
+    "if height >= least - EPSILON and isFirst(b, j, best, height, top) then",
+    "if height > least - EPSILON and isFirst(b, j, best, height, top) then",
+    "a height of exactly that much does not come out of the places, which are sums",
+  },
+  {
+    "physics/solver/bonds.lua",
+    "for n = 1, isAny and list.count or 0 do",
+    "for n = 1, isAny and list.count or 1 do",
+    "where there is no tower nothing is marked, so no bond is glued",
+  },
+  {
+    "physics/memory/allot.lua",
+    "local ROOM, MORE = 8, 2",
+    "local ROOM, MORE = 8, 3",
+    "less room is made ahead, and more often",
+  },
+  {
+    "physics/space/shapes.lua",
+    "if last >= flush or last >= first then",
+    "if last > flush or last >= first then",
+    "a way that ends exactly so deep ends at the face either way",
+  },
+  {
+    "physics/solver/relax.lua",
+    "local areIn = give[2 * i] > 0 and give[2 * j] > 0 and gapOf(b, b.to, i, j) < -EPSILON",
+    "local areIn = give[2 * i] > 0 and give[2 * j] > 0 and gapOf(b, b.to, i, j) <= -EPSILON",
+    "the gap of their shapes, which is asked behind it, must be less, and is no less than this one",
+  },
 }
