@@ -164,10 +164,7 @@ local function join(b, one, other, off, dt, isLate, isFirst)
   blocks.stand[one] = min(blocks.stand[one], blocks.stand[other])
   blocks.power[one] = max(blocks.power[one], blocks.power[other])
   b.parent[other], blocks.offset[other] = one, off
-  b.holderLow[one] = b.heldLow[other] > 0 and b.holderLow[other] or b.holderLow[one]
-  b.holderHigh[one] = b.heldHigh[other] > 0 and b.holderHigh[other] or b.holderHigh[one]
-  add(b.heldLow, one, other)
-  add(b.heldHigh, one, other)
+  b.heldLow[one], b.holderLow[one] = b.heldLow[other], b.holderLow[other]
   finish(b, one, dt, isLate, place)
 end
 
