@@ -369,8 +369,8 @@ return {
   },
   {
     "physics/solver/relax.lua",
-    "local areIn = give[2 * i] > 0 and give[2 * j] > 0 and gapOf(b, b.to, i, j) < -EPSILON",
-    "local areIn = give[2 * i] > 0 and give[2 * j] > 0 and gapOf(b, b.to, i, j) <= -EPSILON",
+    "local isIn = gapOf(b, b.to, i, j) < -EPSILON and ball.isRound(b, i, j)",
+    "local isIn = gapOf(b, b.to, i, j) <= -EPSILON and ball.isRound(b, i, j)",
     "the gap of their shapes, which is asked behind it, must be less, and is no less than this one",
   },
 }

@@ -99,4 +99,18 @@ describe("every setting:", function()
     play(world, 6)
     assert.near(60, shot.x, 1e-9)
   end)
+
+  it("masks of others let rest what has no room", function()
+    local world = physics.newWorld({ gravity = 600 })
+    world:setBounds(0, 0, 30, 30)
+    for n = 1, 2 do
+      world:add("boxes", { x = 3 * n, y = 5 * n, width = 20, height = 20 })
+    end
+    play(world, 200)
+    local first, second = world.objects.boxes[1], world.objects.boxes[2]
+    local places = { first.x, first.y, second.x, second.y }
+    world.masks = { ghosts = { players = false } }
+    play(world, 20)
+    assert.same(places, { first.x, first.y, second.x, second.y })
+  end)
 end)

@@ -81,6 +81,7 @@ slow.files = {
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for 20 s" },
   { "spec/scenarios/27_heaps_spec.lua", "100 balls, poured into a room at three frame rates" },
   { "spec/invariants/soak_spec.lua", "falls of 4600 steps" },
+  { "spec/invariants/rooms_spec.lua", "80 rooms, each played in four ways" },
   { "spec/invariants/fuzz_found_spec.lua", "a game with a knot of 30 boxes" },
   { "spec/objects_order_spec.lua", "eight more seeds of random edits" },
 }

@@ -3,10 +3,9 @@
 --- part in a step.
 --
 -- Each object has a fat box: the hull of its path plus a margin. Two objects are neighbours, a
--- pair, if their fat boxes meet. As long as a path stays inside the fat box, and half of KNOWN from
--- its edge, the neighbours stay the same, and nothing is looked up. A larger set of neighbours
--- changes no result, since each pair is tested exactly later on. So broad phases and margins may
--- differ, the bits do not.
+-- pair, if their fat boxes meet. As long as a path stays inside the fat box, the neighbours stay
+-- the same, and nothing is looked up. A larger set of neighbours changes no result, since each
+-- pair is tested exactly later on. So broad phases and margins may differ, the bits do not.
 --
 -- Reads from, to, size, awake; writes fatLow, fatHigh, the pairs, live and the step columns of the
 -- pairs, and `support` where that has ended.
@@ -22,11 +21,6 @@ local pairFinder = {}
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local contact = grid.contact
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
-
---- px: all pairs are known that come as near as that.
-pairFinder.KNOWN = 1
--- What a path leaves free of its fat box for that, px.
-local FREE = pairFinder.KNOWN * 0.5
 
 -- Margin around a path, px, and around a static object, which does not move.
 local MARGIN = 1
@@ -120,23 +114,23 @@ local function linkNear(b, strays, count)
   end
 end
 
--- Computes the fat box on the axis of k. It includes the place where the step began, since the path
--- may end there, too.
-local function fatten(b, k, farthest)
+-- Computes the fat box on the axis of k, with a margin. It includes the place where the step began,
+-- since the path may end there, too.
+local function fatten(b, k, farthest, margin)
   local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
   local ahead = max(min((to - from) * AHEAD, farthest), -farthest)
-  b.fatLow[k] = min(start, from, to) - MARGIN + min(ahead, 0)
-  b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
+  b.fatLow[k] = min(start, from, to) - margin + min(ahead, 0)
+  b.fatHigh[k] = max(start, from, to) + size + margin + max(ahead, 0)
 end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
-local function enlarge(b, strays, count)
+local function enlarge(b, strays, count, margin)
   local broadphase, placed, only = b.broadphase, b.placed, b.only
   for m = 1, count do
     local i = strays[m]
     local farthest = only[i] and FARTHEST_AIMED or FARTHEST
-    fatten(b, 2 * i, farthest)
-    fatten(b, 2 * i + 1, farthest)
+    fatten(b, 2 * i, farthest, margin)
+    fatten(b, 2 * i + 1, farthest, margin)
     if placed[i] == 0 then
       broadphase:insert(i)
     else
@@ -173,10 +167,10 @@ local function askMovers(b, strays, count)
   return n
 end
 
--- Looks up the neighbours of the bodies in `strays[1..count]`.
-local function lookUp(b, strays, count)
+-- Looks up the neighbours of the bodies in `strays[1..count]`, with that margin around their paths.
+local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
-  enlarge(b, strays, count)
+  enlarge(b, strays, count, margin)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
     columns.unlinkAll(b, b.parted, partedCount)
@@ -185,10 +179,12 @@ local function lookUp(b, strays, count)
 end
 
 --- Looks up the neighbours of the bodies in `list[1..count]` with paths that leave their fat boxes.
---- A body that is listed twice is looked at once, one that has left the world not at all.
-function pairFinder.run(b, list, count)
+--- A body that is listed twice is looked at once, one that has left the world not at all. `reach`:
+--- all pairs are to be known with paths that come as near as twice that, px, default 0.
+function pairFinder.run(b, list, count, reach)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
+  reach = reach or 0
   for at = 1, count do
     local i = list[at]
     local k, m = 2 * i, 2 * i + 1
@@ -198,17 +194,17 @@ function pairFinder.run(b, list, count)
     -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
-    if (max(outX, outY) > -FREE or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+    if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
   end
   if n > 0 then
-    lookUp(b, strays, n)
+    lookUp(b, strays, n, MARGIN + reach)
   end
 end
 
---- Notes that the game has moved, resized or filtered an object anew since its last step.
+--- Notes that the game has moved or resized an object since its last step.
 function pairFinder.markMoved(b, i)
   if not b.moved[i] then
     b.moved[i] = true
@@ -246,7 +242,6 @@ end
 --- ends the pairs that are no longer possible and has the neighbours looked up anew. Contacts must
 --- have been ended before.
 function pairFinder.refilter(b, i)
-  pairFinder.markMoved(b, i)
   if b.active[i] then
     unlink(b, i)
     b.placed[i] = min(b.placed[i], 1)
