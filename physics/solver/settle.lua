@@ -32,8 +32,8 @@ local ATTEMPTS = 5
 -- is not squeezed into the wall.
 local FAR = 1000
 
--- Resets an axis: no movable body is held yet. (What is static is not in the list: its columns are
--- 1 from the beginning, see memory/layout.)
+-- Resets an axis: no movable body is held yet; what cannot be moved holds itself. (What is static
+-- is not in the list: its columns are 1 from the beginning, see memory/layout.)
 local function release(b, axis)
   local list, give, heldLow, heldHigh = b.awakeList, b.give, b.heldLow, b.heldHigh
   local squeezed, holderLow, holderHigh = b.squeezed, b.holderLow, b.holderHigh

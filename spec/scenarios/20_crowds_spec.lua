@@ -290,6 +290,17 @@ local function press(crowd, middle)
 end
 
 describe("radius, pushable and strength: what presses to", function()
+  it("nothing is no crowd: small balls in the corner of the square around a large one", function()
+    local world, balls = physics.newWorld({ gravity = 0 }), {}
+    balls[1] = world:add("balls", { x = 0, y = 0, radius = 40 })
+    for n = 2, 7 do
+      local x, y = 68 + 4.1 * (n % 3), n < 5 and 68 or 72.1
+      balls[n] = world:add("balls", { x = x, y = y, radius = 2 })
+    end
+    small.run(world, 2)
+    assert.same({ 0, 0, 76.2, 68 }, { balls[1].x, balls[1].y, balls[2].x, balls[2].y })
+  end)
+
   -- What pushed a box along one axis pressed it into the slant again, until the rounds ran out.
   it("a round stone ends in no other and not in the stone", function()
     for _, seed in ipairs({ 2, 3, 4 }) do
