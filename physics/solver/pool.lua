@@ -263,9 +263,10 @@ function pool.share(isLow, wl, wh, vl, vh)
   return isLow and strong or weak, isLow and weak or strong
 end
 
--- Resolves a contact of two blocks, of which the high one is to be `off` px from the low one.
--- Returns whether something has changed.
-local function resolve(b, low, high, off, dt, isLate)
+-- Resolves contact c, of which the bodies overlap by `over` px, for two blocks. Returns whether
+-- something has changed. (Two that have bounced, and overlap only because others pushed them since,
+-- keep their speeds.)
+local function resolve(b, list, c, low, high, off, over, closing, dt, isLate)
   local powerLow, powerHigh = b.blocks.power[low] or HUGE, b.blocks.power[high] or HUGE
   local stayLow, stayHigh = b.heldLow[low] > 0, b.heldHigh[high] > 0
   if not (stayLow or stayHigh) then
@@ -278,6 +279,11 @@ local function resolve(b, low, high, off, dt, isLate)
     follow(b, low, high, b.to[high] - off, -1)
   elseif stayLow then
     follow(b, high, low, b.to[low] + off, 1)
+  elseif closing <= 0 and list.elastic[c] == 1 then
+    local mass = b.blocks.mass
+    local share = over / (mass[low] + mass[high])
+    path.add(b, low, -share * mass[high], 0.0)
+    path.add(b, high, share * mass[low], 0.0)
   else
     if powerLow ~= powerHigh then
       weaken(b, powerLow > powerHigh and high or low, powerLow > powerHigh and 1 or -1)
@@ -318,7 +324,7 @@ local function look(b, list, c, dt, isLate)
   register(b, kl, dt)
   register(b, kh, dt)
   b.pressed[list.pair[c]] = 1
-  return resolve(b, low, high, off, dt, isLate)
+  return resolve(b, list, c, low, high, off, over, closing, dt, isLate)
 end
 
 -- Gives the members of each block its path, and ends all blocks.
