@@ -180,11 +180,11 @@ end
 
 --- Looks up the neighbours of the bodies in `list[1..count]` with paths that leave their fat boxes.
 --- A body that is listed twice is looked at once, one that has left the world not at all. `reach`:
---- all pairs are to be known with paths that come as near as twice that, px, default 0.
+--- all pairs are to be known of which the paths come as near as that, px, default 0.
 function pairFinder.run(b, list, count, reach)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
-  reach = reach or 0
+  local free = (reach or 0) * 0.5 -- what a path leaves of its fat box, px
   for at = 1, count do
     local i = list[at]
     local k, m = 2 * i, 2 * i + 1
@@ -194,13 +194,13 @@ function pairFinder.run(b, list, count, reach)
     -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
-    if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+    if (max(outX, outY) > -free or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
   end
   if n > 0 then
-    lookUp(b, strays, n, MARGIN + reach)
+    lookUp(b, strays, n, MARGIN + free)
   end
 end
 
