@@ -102,6 +102,18 @@ describe("world:loadTiled, tiles", function()
     grid = { tilewidth = 8, tileheight = 8, tilerendersize = "grid" },
     misfit = { { id = 0, properties = { solid = true, area = { gravity = 5 }, radius = 3 } } },
     all = TILES,
+    spoken = {
+      { id = 0, properties = { oneWay = "top" } },
+      { id = 1, properties = { slope = "right" } },
+      { id = 2, properties = { sensor = true, group = "ladders" } },
+      { id = 3, properties = { static = true } },
+      { id = 4, properties = { kinematic = true } },
+      { id = 5, properties = { mass = 2 } },
+      { id = 6, properties = { friction = 0.5 } },
+      { id = 7, properties = { solid = true } },
+      { id = 8, properties = { oneWay = "top", solid = false } },
+    },
+    zone = { { id = 0, properties = { area = { gravity = 5 } } } },
   }
   tiled.text(
     [[
@@ -113,6 +125,21 @@ solid, unless they say otherwise | ground | #17 | tiles = "all"
   ground 0 0 16 16 static; ground 16 0 16 16 kinematic
 not static, by their layer | ground static:false | #1 | tiles = "all"
   ground 0 0 16 16 static=false
+by a field that decides, without solid | all | #123456 | tiles = "spoken"
+  all 0 0 16 16 oneWay=top static; all 16 0 16 16 slope=right static
+  ladders 32 0 16 16 sensor static; all 48 0 16 16 static; all 64 0 16 16 kinematic
+  all 80 0 16 16 mass=2
+also where one says solid | ground | #1238.. | tiles = "spoken"
+  ground 0 0 16 16 oneWay=top static; ground 16 0 16 16 slope=right static
+  ladders 32 0 16 16 sensor static; ground 48 0 16 16 static
+not by a field that says nothing of it, nor against solid | all | #1.79. | tiles = "spoken"
+  all 0 0 16 16 oneWay=top static
+by an area | all | #1 | tiles = "zone"
+  all 0 0 16 16 area={gravity=5} sensor static
+by a field of their layer | all oneWay:top | #77.7 | tiles = "spoken"
+  all 0 0 32 16 friction=0.5 oneWay=top static; all 48 0 16 16 friction=0.5 oneWay=top static
+as slopes, by their layer | all slope:left | #7 | tiles = "spoken"
+  all 0 0 16 16 friction=0.5 slope=left static
 by groups, and apart if they say so | ground | #112233 | tiles = "groups"
   ground 0 0 32 16 static; ice 32 0 32 16 static; ground 64 0 16 16 static
   ground 80 0 16 16 static
