@@ -387,13 +387,9 @@ function pool.run(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
   b.isUnsettled, b.blocks = false, b.blocks or newBlocks()
   for n = 1, PASSES do
-    local hasChanged
-    if (n % 2 == 0) == isTurned then
-      hasChanged = walk(b, list, 1, count, 1, dt, isLate)
-    else
-      hasChanged = walk(b, list, count, 1, -1, dt, isLate)
-    end
-    if not hasChanged then
+    local isForward = (n % 2 == 0) == isTurned
+    local first, last = isForward and 1 or count, isForward and count or 1
+    if not walk(b, list, first, last, isForward and 1 or -1, dt, isLate) then
       break
     end
   end
