@@ -58,12 +58,7 @@ local function weigh(b, i, j, kl, kh)
   local one, other, canPush = b.power[i], b.power[j], min(wl, wh) > 0
   local stayLow, stayHigh =
     canPush and one == HUGE and vl <= 0, canPush and other == HUGE and vh >= 0
-  if stayLow or b.heldLow[kl] > 0 and vl <= b.speed[b.holderLow[kl]] then
-    wl = 0
-  end
-  if stayHigh or b.heldHigh[kh] > 0 and vh >= b.speed[b.holderHigh[kh]] then
-    wh = 0
-  end
+  wl, wh = stayLow and 0 or pool.giveOf(b, kl, -1), stayHigh and 0 or pool.giveOf(b, kh, 1)
   if wl == 0 or wh == 0 then
     return wl, wh
   elseif one ~= other and max(one, other) < HUGE then

@@ -180,6 +180,18 @@ function pool.weigh(powerLow, powerHigh, vl, vh)
     powerHigh > powerLow and (powerHigh == HUGE or vh >= 0)
 end
 
+--- Returns the inverse mass of body k towards the side of `sign`: 0 if something immovable holds it
+--- there, which it is not leaving.
+function pool.giveOf(b, k, sign)
+  local give, speed = b.give[k], b.speed
+  if sign < 0 and b.heldLow[k] > 0 and give > 0 then
+    return speed[k] <= speed[b.holderLow[k]] and 0.0 or give
+  elseif sign > 0 and b.heldHigh[k] > 0 and give > 0 then
+    return speed[k] >= speed[b.holderHigh[k]] and 0.0 or give
+  end
+  return give
+end
+
 -- Stops two blocks that meet head-on and cannot be pushed where they were. Returns whether one of
 -- them had moved.
 local function stopBoth(b, low, high)
