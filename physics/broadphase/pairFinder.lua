@@ -253,23 +253,12 @@ end
 
 -- Active pairs ------------------------------------------------------------------------------------
 
---- Notes that more columns of a pair must be reset when the next step begins: whether it passes or
---- was nudged. Few pairs need that.
-function pairFinder.stain(b, p)
-  b.stainCount = b.stainCount + 1
-  b.stained[b.stainCount] = p
-end
-
 --- Lists in b.live the pairs with an awake body, which take part in a new step, and resets their
 --- step columns. They are listed anew only when a pair was made or ended, or a body woke or fell
 --- asleep. Pairs that are linked in the middle of a step are appended (`columns.linkAll`).
 function pairFinder.listLive(b)
-  local live, pairA, pairB, awake, stained = b.live, b.pairA, b.pairB, b.awake, b.stained
-  local hit, pressed, passing, nudged, count = b.hit, b.pressed, b.passing, b.nudged, 0
-  for n = 1, b.stainCount do
-    passing[stained[n]], nudged[stained[n]] = false, 0
-  end
-  b.stainCount = 0
+  local live, pairA, pairB, awake, count = b.live, b.pairA, b.pairB, b.awake, 0
+  local hit, pressed, passing, nudged = b.hit, b.pressed, b.passing, b.nudged
   if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then
     b.liveLinks, b.liveAwakenings = b.links, b.awakenings
     columns.freeEnded(b)
@@ -283,6 +272,9 @@ function pairFinder.listLive(b)
   end
   for n = 1, b.liveCount do
     hit[live[n]], pressed[live[n]] = 0, 0
+  end
+  for n = 1, (b.hasAskers or b.hasNudges) and b.liveCount or 0 do
+    passing[live[n]], nudged[live[n]] = false, 0
   end
 end
 

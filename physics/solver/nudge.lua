@@ -7,7 +7,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local pairFinder = require(root .. ".broadphase.pairFinder")
 local overlap = require(root .. ".solver.overlap")
 local path = require(root .. ".motion.path")
 
@@ -64,7 +63,6 @@ local function try(b, p, i, j, axis, iIsLow, t)
   path.advance(b, i, t)
   path.shift(b, k, way)
   b.nudged[p] = b.nudged[p] + 1
-  pairFinder.stain(b, p)
   return true
 end
 

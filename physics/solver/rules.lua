@@ -5,7 +5,6 @@
 -- The side in the field `oneWay` is solid, the others are open.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local pairFinder = require(root .. ".broadphase.pairFinder")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local path = require(root .. ".motion.path")
@@ -108,7 +107,6 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
     return false
   end
   b.passing[p] = true
-  pairFinder.stain(b, p)
   return true
 end
 
