@@ -34,12 +34,8 @@ local physics = {
 local made = nil ---@type any
 
 local function default()
-  local found = made
-  if not found then
-    found = world.new(nil, "physics")
-    made = found
-  end
-  return found
+  made = made or world.new(nil, "physics")
+  return made
 end
 
 -- Refuses a call with a colon, which would give the module as the first argument.
@@ -69,22 +65,20 @@ function physics.load(settings)
   made = world.new(settings, "load(settings)")
 end
 
-local function ofDefault(name, method)
-  return function(first, ...)
-    checkDot(first, name)
-    return method(made or default(), first, ...)
-  end
-end
-
 -- Makes every method of a world a function of the default world, too.
 for _, name in ipairs(keyOrder.sorted(world.methods)) do
-  if type(world.methods[name]) == "function" and name:sub(1, 1) ~= "_" then
-    physics[name] = ofDefault(name, world.methods[name])
+  local method = world.methods[name]
+  if type(method) == "function" and name:sub(1, 1) ~= "_" then
+    physics[name] = function(first, ...)
+      checkDot(first, name)
+      return method(made or default(), first, ...)
+    end
   end
 end
 
 -- Without `sideBySide` it takes the setting of the default world.
-local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
+function physics.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
+  checkDot(a, "checkCollision")
   if type(a) ~= "number" then
     if c == nil then
       c = default().sideBySide
@@ -96,18 +90,13 @@ local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
 end
 
--- A function of a module that is loaded when it is first used.
-local function dotted(name, module)
-  return function(first, ...)
+-- The other functions of the tutorial.
+for _, name in ipairs({ "inside", "side", "bump" }) do
+  physics[name] = function(first, ...)
     checkDot(first, name)
-    return module[name](first, ...)
+    return pure[name](first, ...)
   end
 end
-
-physics.inside = dotted("inside", pure)
-physics.side = dotted("side", pure)
-physics.checkCollision = dotted("checkCollision", { checkCollision = checkCollision })
-physics.bump = dotted("bump", pure)
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
 --- `checkCollision`, `inside` and `bump`. Each `physics_update` uses the table that the global
