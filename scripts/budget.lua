@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics/maps", 2177 },
   { "physics/memory", 909 },
   { "physics/motion", 992 },
-  { "physics/objects", 1174 },
+  { "physics/objects", 1173 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
   { "physics/solver", 3836 },
