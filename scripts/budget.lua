@@ -10,7 +10,7 @@ local BUDGET = {
   { "physics/contacts", 364 },
   { "physics/fields", 653 },
   { "physics/maps", 2177 },
-  { "physics/memory", 909 },
+  { "physics/memory", 906 },
   { "physics/motion", 992 },
   { "physics/objects", 1173 },
   { "physics/queries", 780 },

@@ -28,12 +28,6 @@ local ROOM, MORE = 8, 2
 -- Places in the first array of a column.
 local FIRST = 16
 
-local function fill(column, first, last, value)
-  for at = first, last do
-    column[at] = value
-  end
-end
-
 --- Names the columns that hold what acts on a body, with zones and without (see zones).
 function allot.chooseFlow(b)
   if b.hasZones then
@@ -66,9 +60,11 @@ local function blank(b, rows, first, last)
   end
   allot.reserve(b, rows, last)
   for n = 1, #rows.names do
-    local width = rows.widths[n]
+    local column, value, width = b[rows.names[n]], rows.values[n], rows.widths[n]
     local shift = width == 4 and 1 or 0 -- sides are 1 to 4
-    fill(b[rows.names[n]], width * first + shift, width * (last + 1) + shift - 1, rows.values[n])
+    for at = width * first + shift, width * (last + 1) + shift - 1 do
+      column[at] = value
+    end
   end
 end
 
