@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 641 },
   { "physics/contacts", 364 },
   { "physics/fields", 653 },
-  { "physics/maps", 2177 },
+  { "physics/maps", 2175 },
   { "physics/memory", 906 },
   { "physics/motion", 992 },
   { "physics/objects", 1173 },
