@@ -185,7 +185,7 @@ function near.begin(world, wanted)
     end
   end
   c.count, c.filter = 0, wanted
-  c.masks, c.soft, c.hitLists = world.masks or false, b.soft, b.hitLists
+  c.masks, c.soft = world.masks or false, b.soft
   return c
 end
 
