@@ -11,7 +11,7 @@ local BUDGET = {
   { "physics/fields", 653 },
   { "physics/maps", 2175 },
   { "physics/memory", 906 },
-  { "physics/motion", 992 },
+  { "physics/motion", 989 },
   { "physics/objects", 1173 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
