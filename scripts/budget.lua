@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1173 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3836 },
+  { "physics/solver", 3835 },
   { "physics/space", 385 },
   { "physics/state", 839 },
   { "physics/world", 1401 },
