@@ -158,14 +158,17 @@ function events.stay(b, p, side)
   end
 end
 
---- Notes the event of an object that begins to be crushed in this step, on each axis.
-function events.tellCrush(b, i)
-  for axis = 0, 1 do
-    local k = 2 * i + axis
-    if b.crushed[k] and not b.wasCrushed[k] and hasListener(b, "onCrush", i, i) then
-      note(b, "onCrush", i, b.crushLow[k], b.object[b.crushHigh[k]], axis == 0 and "x" or "y", 0)
+--- Notes the events of objects that begin to be crushed in this step, on each axis.
+function events.tellCrush(b)
+  local list, crushed, wasCrushed = b.awakeList, b.crushed, b.wasCrushed
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    for k = 2 * i, 2 * i + 1 do
+      if crushed[k] and not wasCrushed[k] and hasListener(b, "onCrush", i, i) then
+        note(b, "onCrush", i, b.crushLow[k], b.object[b.crushHigh[k]], k % 2 == 0 and "x" or "y", 0)
+      end
+      wasCrushed[k] = crushed[k]
     end
-    b.wasCrushed[k] = b.crushed[k]
   end
 end
 
