@@ -301,7 +301,7 @@ local function consider(b, p)
   if isDeep(width, height) and (isFirm or not (isCrowded(b, i) or isCrowded(b, j))) then
     work.stamp[p], work.count = work.round, work.count + 1
     work.pairs[work.count] = p
-    work.depth[p] = -min(width, height) - (isFirm and FAR or 0)
+    b.sortKey[p] = -min(width, height) - (isFirm and FAR or 0)
     b.firstRank[p], b.secondRank[p] = columns.ranks(b, i, j)
   end
 end
@@ -362,7 +362,7 @@ function overlap.run(b)
     if work.count == 0 then
       return
     end
-    sort.by(work.pairs, work.count, work.depth, b.firstRank, b.secondRank)
+    sort.by(work.pairs, work.count, b.sortKey, b.firstRank, b.secondRank)
     for n = 1, work.count do
       part(b, work.pairs[n])
     end
