@@ -10,7 +10,7 @@ local BUDGET = {
   { "physics/contacts", 367 },
   { "physics/fields", 653 },
   { "physics/maps", 2175 },
-  { "physics/memory", 903 },
+  { "physics/memory", 900 },
   { "physics/motion", 989 },
   { "physics/objects", 1164 },
   { "physics/queries", 780 },
