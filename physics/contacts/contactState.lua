@@ -4,8 +4,8 @@
 --
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
--- Reads to, position, hit, pressedLow, pressedHigh and others; writes contact, overlapping,
--- wedged, dropping, inside, passing, and notes the events.
+-- Reads to, position, hit, pressedLow, pressedHigh, passing and others; writes contact,
+-- overlapping, wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local rules = require(root .. ".solver.rules")
