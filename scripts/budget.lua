@@ -10,7 +10,7 @@ local BUDGET = {
   { "physics/contacts", 367 },
   { "physics/fields", 651 },
   { "physics/maps", 2175 },
-  { "physics/memory", 900 },
+  { "physics/memory", 899 },
   { "physics/motion", 989 },
   { "physics/objects", 1163 },
   { "physics/queries", 780 },

@@ -300,7 +300,7 @@ local function consider(b, p)
   local isFirm = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.power[i] ~= b.power[j]
   if isDeep(width, height) and (isFirm or not (isCrowded(b, i) or isCrowded(b, j))) then
     work.stamp[p], work.count = work.round, work.count + 1
-    work.pairs[work.count] = p
+    b.pairList[work.count] = p
     b.sortKey[p] = -min(width, height) - (isFirm and FAR or 0)
     b.firstRank[p], b.secondRank[p] = columns.ranks(b, i, j)
   end
@@ -362,9 +362,9 @@ function overlap.run(b)
     if work.count == 0 then
       return
     end
-    sort.by(work.pairs, work.count, b.sortKey, b.firstRank, b.secondRank)
+    sort.by(b.pairList, work.count, b.sortKey, b.firstRank, b.secondRank)
     for n = 1, work.count do
-      part(b, work.pairs[n])
+      part(b, b.pairList[n])
     end
     local movedCount = work.movedCount
     pairFinder.run(b, work.moved, movedCount)
