@@ -12,6 +12,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
+local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local path = require(root .. ".motion.path")
@@ -29,11 +30,10 @@ local CORE = 0.125
 
 --- Notes that slot i has an area.
 function zones.note(b, i)
-  local area, list, isListed = b.area[i], b.zoneList, false
-  for n = 1, #list do
-    isListed = isListed or list[n] == i
+  local area, list = b.area[i], b.zoneList
+  if not check.isAmong(i, list) then
+    list[#list + 1] = i
   end
-  list[isListed and #list or #list + 1] = isListed and list[#list] or i
   b.hasZones = true
   b.hasHinders = b.hasHinders or (area.drag or 0) > 0
   allot.chooseFlow(b)
