@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics/maps", 2175 },
   { "physics/memory", 899 },
   { "physics/motion", 989 },
-  { "physics/objects", 1163 },
+  { "physics/objects", 1157 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
   { "physics/solver", 3835 },
