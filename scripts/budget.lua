@@ -16,7 +16,7 @@ local BUDGET = {
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
   { "physics/solver", 3835 },
-  { "physics/space", 385 },
+  { "physics/space", 382 },
   { "physics/state", 839 },
   { "physics/world", 1401 },
 }
