@@ -142,7 +142,7 @@ return {
     "slot j again, of which all is noted already",
   },
   {
-    "physics/solver/ball.lua",
+    "physics/solver/pool.lua",
     "if sign < 0 and b.heldLow[k] > 0 and give > 0 then",
     "if sign <= 0 and b.heldLow[k] > 0 and give > 0 then",
     "what is 0 there is the normal, and all that is given along that axis is a multiple of it",
