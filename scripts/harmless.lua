@@ -295,8 +295,8 @@ return {
   },
   {
     "physics/solver/nudge.lua",
-    "return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack",
-    "return size >= EPSILON and size <= b.nudge[i] + EPSILON and not isBack",
+    "return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack and held[k] == 0",
+    "return size >= EPSILON and size <= b.nudge[i] + EPSILON and not isBack and held[k] == 0",
     "a way of exactly that much does not come out of the places, which are sums",
   },
   {

@@ -28,13 +28,13 @@ local function detour(b, i, j, axis, t)
   return -low < high and low or high
 end
 
--- Returns whether slot i may go `way` px along k, around a corner: no further than its `nudge`, and
--- not back against its own motion.
+-- Returns whether slot i may go `way` px along k, around a corner: no further than its `nudge`, not
+-- back against its own motion, and not towards what holds it in this step.
 local function mayGo(b, i, k, way)
   local motion = b.to[k] - b.from[k] - b.carried[k] * (1 - b.time[i]) * b.dt
   local isBack = (motion > EPSILON and way < 0) or (motion < -EPSILON and way > 0)
-  local size = max(way, -way)
-  return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack
+  local size, held = max(way, -way), way > 0 and b.heldHigh or b.heldLow
+  return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack and held[k] == 0
 end
 
 -- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t, if the

@@ -23,7 +23,7 @@ local snap = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local axisOf = path.axisOf
-local max = math.max
+local max, min = math.max, math.min
 
 -- Whether slot i may be lowered, or what it stands on: it has begun the step standing, and does
 -- not go up from there. (What is round rolls over edges.)
@@ -81,8 +81,8 @@ local function lower(b, i, most)
   end
   local x0, here = path.home(b, t), turn * b.to[k]
   local start, low = turn * path.home(b, k), here + most
-  local drop = max(here - start, 0.0) + most * (1 + max(x - x0, x0 - x))
-  ground.list(b, i, axis, turn, x0, x, start, drop)
+  local drop = max(here - start, start - here) + most * (1 + max(x - x0, x0 - x))
+  ground.list(b, i, axis, turn, x0, x, min(start, here), drop) -- (nudge may have lifted it)
   local j, height = ground.highest(b, i, axis, turn, x, here)
   if j ~= 0 and height > low + EPSILON then
     low = reach(b, i, axis, turn, x0, x, start, most)

@@ -228,11 +228,27 @@ describe("nudge with gravity", function()
   --   +-+ ->  |    a beam that ends 2 px below the top of the head
   --   | |     +
   --   ---------------
-  local DUCK = { FLOOR, solid("beam", 200, 100, 16, 78), body(100, 176, 0, 0, { nudge = 4 }) }
-  row("does not duck into the floor", EVERYWHERE, DUCK, {
+  local function duck(v)
+    local floor = solid("floor", 0, 200, 400, 16, { oneWay = v.oneWay })
+    return { floor, solid("beam", 200, 100, 16, 78), body(100, 176, 0, 0, { nudge = 4 }) }
+  end
+  row("does not duck into the floor, with oneWay = {oneWay}", EVERYWHERE, duck, {
     { 2, keep = "body.vx = 100", "body at min(184, 100 + 100 * t), 176" },
     "body touches bottom right",
-  })
+  }, { "oneWay", {}, { "top" } })
+
+  --   +-+ ->   |    the beam begins where the body has left the ledge
+  --   | |      +---
+  --   ------+
+  local function off(v)
+    local ledge, beam = solid("ledge", 0, 200, 200, 4), solid("beam", v.edge, 173, 60, 4)
+    return { ledge, beam, body(v.x, 176, 0, 0, { nudge = 4 }) }
+  end
+  local TURNED = { rate = variants.RATES, turn = variants.TURNS, order = variants.ORDERS }
+  row("off a ledge goes below a beam, and not into it: {edge}, from {x}", TURNED, off, {
+    { 1, keep = "body.vx = 160", "max(edge - 16 - body.x, body.y - 177) >= -1e-6" },
+    "body.x > 210",
+  }, { "edge, x", { 216, 80 }, { 216, 81.5 }, { 216.5, 80 }, { 217, 80 }, { 218, 81 } })
 
   local TILES = scene.tiles({ body(0, 76, 0, 0, { nudge = 4 }) }, 60, 0, 100, 16, 16, 16, 0)
   row("and floor tiles has no seams", SOME, TILES, {
