@@ -5,6 +5,7 @@ local physics = require("physics")
 local small = require("spec.support.small")
 
 local run, tile = small.play, small.tile
+local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 local long = effort.isFirst and it or pending
 
@@ -61,17 +62,21 @@ describe("radius: a ball", function()
   --        \ +----
   --          |
   for _, rate in ipairs(RATES) do
-    it(("bounces off a corner along the true normal, at %d Hz"):format(rate), function()
-      local world = physics.newWorld({ gravity = 0 })
-      world:add("walls", tile(100, 100, 50, 50))
-      local object = world:add("balls", ball(54, 92, 10, { vx = 200, restitution = 1 }))
-      run(world, 1, rate)
-      -- v - 2 n (n v) = (200, 0) - 2 (-0.6, -0.8) (-120); it is there after 0.2 s.
-      near(56, object.vx, LATER)
-      near(-192, object.vy, LATER)
-      near(94 + 0.8 * 56 - 10, object.x, 1e-6)
-      near(92 - 0.8 * 192 - 10, object.y, 1e-6)
-    end)
+    for _, speed in ipairs({ 0, 300, -90 }) do
+      local title = "bounces along the true normal off a corner that goes at %d px/s, at %d Hz"
+      it(title:format(speed, rate), function()
+        local world = physics.newWorld({ gravity = 0 })
+        world:add("walls", small.put(100, 100, 50, 50, { kinematic = true, vx = speed }))
+        local fields = { vx = 200 + speed, restitution = 1 }
+        local object = world:add("balls", ball(54, 92, 10, fields))
+        run(world, 1, rate)
+        -- v - 2 n (n v) = (200, 0) - 2 (-0.6, -0.8) (-120); it is there after 0.2 s.
+        near(56 + speed, object.vx, LATER)
+        near(-192, object.vy, LATER)
+        near(94 + 0.8 * 56 - 10 + speed, object.x, 1e-6)
+        near(92 - 0.8 * 192 - 10, object.y, 1e-6)
+      end)
+    end
 
     it(("slides off it without a bounce, at %d Hz"):format(rate), function()
       local world = physics.newWorld({ gravity = 0 })
@@ -292,5 +297,38 @@ describe("radius and pushable: a ball that cannot be pushed", function()
         near(84, upper.y)
       end
     )
+  end
+end)
+
+-- Balls on a lift in an open shaft, which rises at full speed: none is in it, and none passes it.
+describe("radius and kinematic: balls in a heap", function()
+  for _, row in ipairs({ { "lift", 30, 300, 14 }, { "slope", 12, 110, 55, "right" } }) do
+    local name, count, width, height, slope = unpack(row, 1, 5)
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      it(("stay on a %s that rises at 900 px/s, at %d Hz"):format(name, rate), function()
+        local world, deepest = physics.newWorld({ gravity = 900 }), 0
+        world:add("walls", tile(-150, -9000, 150, 9500))
+        world:add("walls", tile(width, -9000, 150, 9500))
+        local fields = { kinematic = true, slope = slope }
+        local lift = world:add("lifts", small.put(0, 300, width, height, fields))
+        for i = 1, count do
+          local x = 10 + (i * 37) % (width - 20)
+          world:add("balls", ball(x, 290 - 20 * i, 8, { restitution = 0.6 }))
+        end
+        for step = 1, effort.share(10, 3) * rate do
+          local goal = step % rate < rate / 5 and 255 or 300
+          local most = goal < lift.y and 900 / rate or 250 / rate
+          lift.y = lift.y + math.max(-most, math.min(goal - lift.y, most))
+          world:update(1 / rate)
+          for _, one in ipairs(world.objects.balls) do
+            deepest = math.max(deepest, one.y + 8 - lift.y - height)
+            if not slope then
+              deepest = math.max(deepest, one.y + 16 - lift.y)
+            end
+          end
+        end
+        near(0, math.max(deepest, 0), 0.01)
+      end)
+    end
   end
 end)
