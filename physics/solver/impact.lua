@@ -268,7 +268,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   if lean ~= 0 and touch.deflect(b, i, j, axis, lean, r, isLate, o, v, a, u, tau) then
     return false, separation
   end
-  local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
+  local isElastic = not isLate and (b.restitution[i] > 0 or b.restitution[j] > 0)
   if v < 0 then
     -- They move apart by themselves, and overlap only by what others have pushed.
     path.add(b, kl, -o * wl / total, 0.0)

@@ -28,8 +28,6 @@ local TORN = 0.25
 -- Maximum number of impacts in a step of a body that overlaps others and has no room. (Without it a
 -- piston that presses 250 boxes takes three times as long.)
 local SPENT = 2
--- Maximum number of paths in `b.hulls`, with which later impacts of a round are compared.
-local BOUNCED = 256
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
 
@@ -79,37 +77,6 @@ local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
--- Notes the hull of the path of slot i, as it is now and as it was swept, if it is dynamic: it may
--- have bounced in this round.
-local function noteBounced(b, i)
-  local hulls, from, to, swept, size = b.hulls, b.from, b.to, b.swept, b.size
-  local k, m, at = 2 * i, 2 * i + 1, 4 * b.bouncedCount
-  if b.kind[i] == DYNAMIC and b.bouncedCount < BOUNCED then
-    b.bouncedCount = b.bouncedCount + 1
-    hulls[at + 1], hulls[at + 2] = min(from[k], to[k], swept[k]), min(from[m], to[m], swept[m])
-    hulls[at + 3] = max(from[k], to[k], swept[k]) + size[k]
-    hulls[at + 4] = max(from[m], to[m], swept[m]) + size[m]
-  end
-end
-
--- Returns whether the path of slot i, with its own length around it, meets one of b.hulls.
-local function meetsBounced(b, i)
-  local hulls, from, to, size = b.hulls, b.from, b.to, b.size
-  local k, l = 2 * i, 2 * i + 1
-  local dx, dy = to[k] - from[k], to[l] - from[l]
-  local reach = max(dx, -dx, dy, -dy)
-  local left, top = min(from[k], to[k]) - reach, min(from[l], to[l]) - reach
-  local right = max(from[k], to[k]) + size[k] + reach
-  local bottom = max(from[l], to[l]) + size[l] + reach
-  for at = 1, 4 * b.bouncedCount, 4 do
-    local isBeside = hulls[at + 2] <= left or hulls[at] >= right
-    if not (isBeside or hulls[at + 3] <= top or hulls[at + 1] >= bottom) then
-      return true
-    end
-  end
-  return false
-end
-
 -- Notes that the dynamic ones of slots i and j have new paths. They take part in this round
 -- (`takesPart`), so that what follows in it waits for the next one.
 local function change(b, i, j, takesPart)
@@ -123,27 +90,34 @@ local function change(b, i, j, takesPart)
 end
 
 -- Returns whether the bodies of contact p, one of which has a new path, would end far inside each
--- other. (Without this, a piston that presses 250 boxes takes 18 rounds instead of 6.)
+-- other. (Without this, a piston that presses 250 boxes takes all rounds instead of 6.)
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
   return b.touches[p] == contacts.CONTACT
     and b.to[kl] + b.separation[p] - b.to[kh] > TORN * min(b.size[kl], b.size[kh])
 end
 
--- Returns whether an earlier impact of this round may have invalidated the impact of slot i: it
--- changed the path of slot i, or of a body that would end far inside it now; or, if it may bounce
--- (`mayBounce`), a path that comes near that of slot i, which may meet that body first.
-local function isDisturbed(b, i, mayBounce)
+-- Returns whether slots i and j, of pair p, one of which has a new path, meet before moment t.
+-- (Their old paths must overlap: whether any other pair is known depends on earlier steps.)
+local function meetBefore(b, p, i, j, t)
+  if b.sensor[i] or b.sensor[j] or b.passing[p] or not sweep.isNear(b, b.swept, p, i, j) then
+    return false
+  end
+  local its = sweep.find(b, i, j)
+  return its ~= nil and its < t
+end
+
+-- Returns whether an earlier impact of this round may have invalidated that of slot i at moment t:
+-- it changed the path of slot i, or of a body that it would meet before, or end far inside of.
+local function isDisturbed(b, i, t)
   local inRound, round = b.inRound, b.roundStamp
   if inRound[i] == round then
     return true
   elseif b.kind[i] ~= DYNAMIC then
     return false
-  elseif mayBounce and meetsBounced(b, i) then
-    return true
   end
   for _, j, p in neighbours(b, i) do
-    if inRound[j] == round and isTorn(b, p) then
+    if inRound[j] == round and (isTorn(b, p) or meetBefore(b, p, i, j, t)) then
       return true
     end
   end
@@ -184,10 +158,10 @@ local function happen(b, n, dt, isLast, isLate)
   if b.passing[p] or areEqual and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
-  local mayBounce, isNoted = max(b.restitution[i], b.restitution[j]) > 0, b.hasBounces
-  if isDisturbed(b, i, mayBounce) or isDisturbed(b, j, mayBounce) then
+  if isDisturbed(b, i, t) or isDisturbed(b, j, t) then
+    local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
     change(b, i, j, not isSensed and (mayBounce or isRound))
-    isLast, isNoted = isLast and not isSensed, mayBounce and not isSensed
+    isLast = false
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
   then
@@ -204,14 +178,10 @@ local function happen(b, n, dt, isLast, isLate)
   if isLast and not outdoes(b, j, i) then
     path.stop(b, j, t, isRound)
   end
-  if isNoted then
-    noteBounced(b, i)
-    noteBounced(b, j)
-  end
 end
 
 --- Makes one round: sweeps changed paths, then resolves the first impact of each body. Returns
---- whether there was any impact.
+--- whether there was any that changes a path.
 function rounds.run(b, dt, isLast, isLate)
   local count = sweep.run(b)
   b.changedCount, b.dirtyStamp = 0, b.dirtyStamp + 1
@@ -219,12 +189,12 @@ function rounds.run(b, dt, isLast, isLate)
     return false
   end
   sortImpacts(b)
-  b.roundStamp, b.bouncedCount = b.roundStamp + 1, 0
+  b.roundStamp = b.roundStamp + 1
   for n = 1, count do
     happen(b, b.impacts.order[n], dt, isLast, isLate)
   end
   contacts.rearrange(b)
-  return true
+  return b.changedCount > 0
 end
 
 return rounds

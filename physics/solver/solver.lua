@@ -40,9 +40,10 @@ local DYNAMIC = columns.DYNAMIC
 local floor, max, min = math.floor, math.max, math.min
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
-local ROUNDS = 18
--- Number of last rounds in which nothing bounces, so that the remaining contacts settle.
-local LATE = 5
+local ROUNDS = 36
+-- Number of last rounds in which nothing bounces, so that the remaining contacts settle. (With 5 a
+-- column of 12 boxes that bounce ends in itself.)
+local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8

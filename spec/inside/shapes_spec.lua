@@ -104,7 +104,7 @@ describe("shapes.gap and shapes.meet", function()
           assert.is_true(true_ > 1e-9 or gap <= 1e-9, NAMES[b])
         end
         local dx, dy = random:between(-20, 20), random:between(-20, 20)
-        local share = shapes.meet(a, x, y, w, h, b, ox, oy, ow, oh, dx, dy, n % 2)
+        local share = shapes.meet(a, x, y, w, h, b, ox, oy, ow, oh, dx, dy, n % 2, 0, 0)
         if gap > 1e-6 then
           local past = share or 2
           assert.is_false(overlapsBefore(past, a, x, y, w, h, b, ox, oy, ow, oh, dx, dy), NAMES[b])

@@ -221,3 +221,49 @@ describe("restitution, friction and mass: energy does not come out of nowhere", 
     end)
   end
 end)
+
+-- Several reach a wall in one step, one behind the other.
+describe("restitution: a column of boxes of 8 px that falls", function()
+  for _, row in ipairs({ { 2, 0 }, { 5, 0 }, { 6, 0.4 }, { 12, 0.4 } }) do
+    local count, restitution = row[1], row[2]
+    local title = "keeps its order, and none is in another: %d of restitution %g"
+    it(title:format(count, restitution), function()
+      local levels = { rate = { 30, 60, 144 }, shift = { 0 }, push = { "both" } }
+      scene.each(levels, function(run)
+        for height = 100, 500, effort.share(20, 100) do
+          local description = { box("floor", -50, 0, 100, 20, { static = true }) }
+          for i = 1, count do
+            local y = -height - i * (8 + height % 3 + 1)
+            local fields = { restitution = restitution }
+            description[i + 1] = box("box" .. i, i % 2 * 2, y, 8, 8, fields)
+          end
+          local named = run:build(description)
+          for _ in run:steps(1.5) do
+            for i = 2, count do
+              local gap = named["box" .. i - 1].y - named["box" .. i].y - 8
+              run:check(gap > -0.05, "%d is %g px in the one below", i, -gap)
+            end
+          end
+        end
+      end)
+    end)
+  end
+end)
+
+describe("restitution and masks: shots that pass each other", function()
+  it("all bounce off a wall that they reach in one step", function()
+    scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
+      local description = { gravity = 0, masks = { boxes = { boxes = false } } }
+      description[1] = wall(nil, 1000, 0, 24, 800)
+      for i = 1, 30 do
+        local fields = { vx = 900, restitution = 1 }
+        description[i + 1] = box("shot" .. i, 994 - i * 0.4, 12 * i, 6, 6, fields)
+      end
+      local named = run:build(description)
+      run:step(1 / 30)
+      for i = 1, 30 do
+        run:near("vx", named["shot" .. i].vx, -900, 1e-9)
+      end
+    end)
+  end)
+end)

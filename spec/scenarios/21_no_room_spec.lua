@@ -331,7 +331,7 @@ describe("kinematic: a machine that leaves no room", function()
         for i, way in ipairs(WAYS[name]) do
           description[#description + 1] = machineFor("machine", i, way)
         end
-        local boxes = heap(count, 2, cell, ROOM, ROOM, sizes == "equal")
+        local boxes = heap(count, 5, cell, ROOM, ROOM, sizes == "equal")
         local named, watch = build(run, join(description, boxes))
         local crushed = 0
         run.world.onCrush = function()

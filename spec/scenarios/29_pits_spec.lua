@@ -25,11 +25,13 @@ local function newPit(count, seed, change)
   return world
 end
 
--- The deepest overlap of a ball and the pit.
+-- The deepest overlap of a ball and the pit. (Among masses of very different size a light ball may
+-- be shot out at the top.)
 local function depthIn(world)
   local deepest = 0
   for _, one in ipairs(world.objects.balls) do
-    deepest = math.max(deepest, -one.x, one.x + one.width - 60, one.y + one.height - 400)
+    local side = one.y + one.height > 0 and math.max(-one.x, one.x + one.width - 60) or 0
+    deepest = math.max(deepest, side, one.y + one.height - 400)
   end
   return deepest
 end
