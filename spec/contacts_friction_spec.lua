@@ -235,7 +235,6 @@ describe("friction: what is leaned on or pushed,", function()
   }
   play.row("does not move: {what}", BOTH, engine, still, {
     "what, ax, B, C, D, E, y",
-    { "a crate that bears more", 399, CRATE },
     { "a crate that bears just as much", 400, CRATE },
     { "two crates that bear more together", 790, CRATE, NEXT },
     { "a heavy crate at 60 px/s", nil, { 16, -16, 0.5, 0, 22 } },

@@ -269,7 +269,7 @@ local function twice(second, first)
     .. ": an object must be in one place only, got table in two"
 end
 
-describe("world:update", function()
+describe("world:update, save and hash", function()
   local key = " has a key that is no finite number or string, got "
   local member = object()
   -- what is said of these objects, beside a box
@@ -278,6 +278,8 @@ describe("world:update", function()
     { "objects.coins must be a group (a table of objects) or an object, got 5", { coins = 5 } },
     { "objects" .. key .. "true", { [true] = {} } },
     { "objects.boxes" .. key .. "table", { boxes = { [{}] = object() } } },
+    { "objects" .. key .. "inf", { [INF] = { object() } } },
+    { "objects.boxes" .. key .. "-inf", { boxes = { [-INF] = object() } } },
     { 'objects.boxes[3] must be an object (a table), got "crate"', { boxes = { [3] = "crate" } } },
     { "objects.boxes.hit must be an object (a table), got function", { boxes = { hit = print } } },
     { twice("boxes[3]", "boxes[1]"), { boxes = { member, [3] = member } } },
@@ -291,13 +293,17 @@ describe("world:update", function()
     it("refuses: " .. row[1] .. "; nothing has entered", function()
       local world = physics.newWorld({ order = { "boxes" } })
       world.objects, member.touching = row[2], nil
-      refuses(row[1], function()
-        world:update(1 / 60)
-      end)
+      for _, call in ipairs({ "update", "save", "hash" }) do
+        refuses(row[1], function()
+          world[call](world, call == "update" and 1 / 60 or nil)
+        end)
+      end
       assert.is_nil(member.touching)
     end)
   end
+end)
 
+describe("world:update", function()
   for _, row in ipairs({
     { "0.1", 'a number >= 0, got "0.1"' },
     { -1, "a number >= 0, got -1" },

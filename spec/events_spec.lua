@@ -29,9 +29,7 @@ local function act(f)
   end
 end
 
-local function row(title, entries, given, rows)
-  play.row(title, ONCE, entries, given, rows, { newWorld = physics.newWorld, DT = DT })
-end
+local row = play.once({ newWorld = physics.newWorld, DT = DT })
 
 describe("onBegin, onStay, onEnd", function()
   --    side of the box, of the wall, where it comes from, its speed
@@ -408,27 +406,19 @@ end)
 describe("onBegin: of two bricks hit at the same moment", function()
   local TURNED = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, 144 }, turn = variants.TURNS }
   TURNED.order = variants.ORDERS
-  for _, given in ipairs({ { 1, 7 }, { 7, 1 }, { 2, 14 }, { 9, 7 }, { 15.5, 0.5 } }) do
-    local left, right = given[1], given[2]
-    local title = "the one with the wider common edge is first: %g and %g px"
-    scene.it(title:format(left, right), TURNED, function(run)
-      local wide = left > right and "left" or "right"
-      local named = run:build({
-        gravity = 0,
-        solid("left", 0, 0, 100, 16),
-        solid("right", 100, 0, 100, 16),
-        scene.maker("bodies")("man", 100 - left, 40, left + right, 24, { vy = -300 }),
-      })
-      local told = {}
-      run.world.onBegin = function(a, b)
-        told[#told + 1] = a == named.man.raw and b or a
-      end
-      run:play(0.5)
-      run:check(told[1] == named[wide].raw, "the first that is told is not the %s one", wide)
-      local top = named.man.touching.top
-      run:check(top and top.raw == named[wide].raw, "touching.top is not the %s one", wide)
-    end)
-  end
+  play.row("the one with the wider common edge is first: {a} and {b} px", TURNED, function(v)
+    return {
+      gravity = 0,
+      solid("left", 0, 0, 100, 16),
+      solid("right", 100, 0, 100, 16),
+      scene.maker("bodies")("man", 100 - v.a, 40, v.a + v.b, 24, { vy = -300 }),
+    }
+  end, {
+    "first = nil",
+    "function world.onBegin(one, other) first = first or one == man.raw and other or one end",
+    0.5,
+    "wide = a > b and left or right; first == wide.raw; man.touching.top == wide",
+  }, { "a, b", { 1, 7 }, { 7, 1 }, { 2, 14 }, { 9, 7 }, { 15.5, 0.5 } })
 end)
 
 describe("onCrush", function()

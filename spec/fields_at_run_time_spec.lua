@@ -162,14 +162,12 @@ local solid = scene.maker("tiles", { static = true })
 local FLOOR = solid("floor", -200, 100, 800, 16)
 local STANDS = { FLOOR, box() }
 
-local function row(title, entries, given, rows)
-  play.row(title, play.ONCE, entries, given, rows, {
-    DT = DT,
-    down = { boxes = { tiles = false } },
-    up = { tiles = { boxes = false } },
-    both = { tiles = true },
-  })
-end
+local row = play.once({
+  DT = DT,
+  down = { boxes = { tiles = false } },
+  up = { tiles = { boxes = false } },
+  both = { tiles = true },
+})
 
 describe("every field and setting at run time:", function()
   row("vx and vy become numbers", STANDS, {

@@ -136,13 +136,8 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
       assert.same({ 20, 30 }, { balloon.vy, stone.vy })
       stone.lift = -1
       refuses("objects.balloons[2].lift must be a number >= 0, got -1", world.update, world, 0)
-      refuses("objects.b[1].lift must be a number >= 0, got table", world.add, world, "b", {
-        x = 0,
-        y = 0,
-        width = 1,
-        height = 1,
-        lift = {},
-      })
+      local text = "objects.b[1].lift must be a number >= 0, got table"
+      refuses(text, world.add, world, "b", newBalloon({}))
     end)
   end)
 
@@ -295,10 +290,8 @@ end)
 
 describe("every field: that of a new shape needs a row that says what it is: it", function()
   local function newCapsule(more)
-    local capsule = { x = 100, y = 340, width = 20, height = 60, capsule = true }
-    for name, value in pairs(more or {}) do
-      capsule[name] = value
-    end
+    local capsule = small.put(100, 340, 20, 60, more)
+    capsule.capsule = true
     return capsule
   end
 
@@ -382,12 +375,9 @@ describe("every field: that of a new shape needs a row that says what it is: it"
       local twin = physics.newWorld()
       twin:restore(world:save())
       assert.is_true(twin.objects.capsules[1].capsule)
-      refuses("capsule must be nil where there is a radius", world.add, world, "capsules", {
-        x = 0,
-        y = 0,
-        radius = 8,
-        capsule = true,
-      })
+      local text = "capsule must be nil where there is a radius"
+      local ball = { x = 0, y = 0, radius = 8, capsule = true }
+      refuses(text, world.add, world, "capsules", ball)
       local graphics = { getColor = function() end, setColor = function() end }
       function graphics.rectangle(mode, x, y, width, height, radius)
         calls[#calls + 1] = ("%s %g %g %g %g %g"):format(mode, x, y, width, height, radius or 0)

@@ -11,9 +11,7 @@ local box = scene.thing("boxes", { name = "box", x = 0, y = 0, width = 16, heigh
 local solid = scene.maker("walls", { static = true })
 local FLOOR = solid("floor", -200, 100, 800, 16)
 
-local function row(title, entries, given, rows)
-  play.row(title, play.ONCE, entries, given, rows)
-end
+local row = play.once()
 
 local newWorld = small.still
 

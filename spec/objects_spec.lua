@@ -9,19 +9,13 @@ local small = require("spec.support.small")
 local newBox, newFloor, run = small.box, small.floor, small.run
 
 local DT = 1 / 60
-local ONCE = play.ONCE
 
 local box = scene.thing("boxes", { name = "box", x = 0, y = 84, width = 16, height = 16 })
 local solid = scene.maker("tiles", { static = true })
 local FLOOR = solid("floor", -200, 100, 800, 16)
 local STANDS = { FLOOR, box() }
 
-local function row(title, entries, given, rows)
-  play.row(title, ONCE, entries, given, rows, {
-    newBox = newBox,
-    DT = DT,
-  })
-end
+local row = play.once({ newBox = newBox })
 
 local function named(name, number)
   return { name = name, x = 20 * number, y = 0, width = 8, height = 8, gravity = 0 }
@@ -166,24 +160,6 @@ describe("world.objects", function()
       assert.are.equal(3, select(2, world:queryRect(12, 85, 30, 20)))
     end)
   end
-
-  it("update, save and hash refuse keys that are no finite numbers", function()
-    for _, key in ipairs({ 1 / 0, -1 / 0 }) do
-      local one = physics.newWorld()
-      local object = newBox(0, 0)
-      for path, objects in pairs({
-        ["objects.b"] = { b = { [key] = object } },
-        objects = { [key] = { object } },
-      }) do
-        one.objects = objects
-        for _, call in ipairs({ "update", "save", "hash" }) do
-          local text = " has a key that is no finite number or string, got "
-          local dt = call == "update" and DT or nil
-          small.refuses(path .. text .. (key > 0 and "inf" or "-inf"), one[call], one, dt)
-        end
-      end
-    end
-  end)
 end)
 
 describe("add, remove and refresh", function()

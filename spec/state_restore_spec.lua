@@ -18,15 +18,13 @@ local thing = scene.thing("boxes", { name = "box", x = 10, y = 84, width = 16, h
 local FLOOR = scene.maker("floor", { static = true })("floor", 0, 100, 400, 20)
 local TWO = { gravity = 600, FLOOR, thing(), thing({ name = "other", x = 60, y = 20 }) }
 
-local function replay(title, entries, given, rows)
-  play.row(title, play.ONCE, entries, given, rows, {
-    copy = function(state)
-      return read(write(state))
-    end,
-    newWorld = physics.newWorld,
-    DT = DT,
-  })
-end
+local replay = play.once({
+  copy = function(state)
+    return read(write(state))
+  end,
+  newWorld = physics.newWorld,
+  DT = DT,
+})
 
 describe("world:restore", function()
   replay("keeps the tables of the objects, also of those that were removed", TWO, {

@@ -60,20 +60,23 @@ describe("timestep", function()
     end
   end)
 
-  it("alpha is the saved-up share of a step, in 0..1", function()
-    local world = physics.newWorld({ timestep = 0.0625 })
-    for _, row in ipairs({
-      { 0, 0 },
-      { 0.015625, 0.25 },
-      { 0.03125, 0.75 },
-      { 0.015625, 0 },
-      { 0.25, 0 },
-      { 0.078125, 0.25 },
-    }) do
-      world:update(row[1])
-      assert.equal(row[2], world.alpha)
-    end
-  end)
+  -- what, timestep; for each update dt, where a box of 32 px/s is then, and `alpha`
+  for _, row in ipairs({
+    { "it is the saved-up share of a step", 0.25, { 0, 0, 0 }, { 0.0625, 0, 0.25 } },
+    { "what is left adds up", 0.25, { 0.0625, 0, 0.25 }, { 0.125, 0, 0.75 }, { 0.0625, 8, 0 } },
+    { "nothing is left of whole steps", 0.0625, { 0.25, 8, 0 }, { 0.078125, 10, 0.25 } },
+    { "more than 0.25 s is cut to that", 0.03125, { 10, 8, 0 }, { 10, 16, 0 }, { 10, 24, 0 } },
+    { "of a long step it counts in full", 0.1875, { 0.125, 0, 2 / 3 }, { 0.25, 12, 0 } },
+  }) do
+    it("alpha: " .. row[1], function()
+      local world = physics.newWorld({ gravity = 0, timestep = row[2] })
+      local box = world:add("boxes", newBox(0, 0, { vx = 32 }))
+      for n = 3, #row do
+        world:update(row[n][1])
+        assert.same({ row[n][2], row[n][3] }, { box.x, world.alpha })
+      end
+    end)
+  end
 
   it("what the game moves goes an equal part of the way in each step of an update", function()
     local world, places = physics.newWorld({ gravity = 0, timestep = 0.0625 }), {}
@@ -87,25 +90,6 @@ describe("timestep", function()
     lift.x = 30
     world:update(0.1875)
     assert.same({ 8, 18, 28, 38 }, { places[1], places[2], places[3], box.x })
-  end)
-
-  it("more than 0.25 s is cut to that", function()
-    local world = physics.newWorld({ gravity = 0, timestep = 0.03125 })
-    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 32 })
-    for _ = 1, 3 do
-      world:update(10)
-    end
-    assert.equal(24, box.x)
-    assert.equal(0, world.alpha)
-  end)
-
-  it("what is left of a long step counts in full beside a long dt", function()
-    local world = physics.newWorld({ gravity = 0, timestep = 0.1875 })
-    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 16 })
-    world:update(0.125)
-    assert.equal(0, box.x)
-    world:update(0.25)
-    assert.equal(6, box.x)
   end)
 
   it("no time is lost over a value that is refused", function()

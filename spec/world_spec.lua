@@ -65,14 +65,7 @@ describe("world:shift", function()
     world:add("tiles", { x = -400, y = 100, width = 1000, height = 16, static = true })
     world:add("tiles", { x = 300, y = 0, width = 16, height = 100, static = true })
     world:add("lifts", { x = 0, y = 60, width = 64, height = 8, kinematic = true, vx = 20 })
-    world:add("belts", {
-      x = -200,
-      y = 84,
-      width = 100,
-      height = 16,
-      static = true,
-      surfaceSpeed = 30,
-    })
+    world:add("belts", box(-200, 84, 100, 16, { static = true, surfaceSpeed = 30 }))
     world:add("coins", { x = 20, y = 40, width = 8, height = 8, static = true, sensor = true })
     world:add("off", { x = 90, y = 40, width = 8, height = 8, active = false })
     for i = 1, 8 do

@@ -215,12 +215,7 @@ describe("bump", function()
   }) do
     it("moves " .. row[1], function()
       for mode, expected in pairs({ both = row[4], first = row[5] }) do
-        local a, b = box(0, 0, 10, 20), box(6, 5, 10, 20)
-        for object, values in pairs({ [a] = row[2], [b] = row[3] }) do
-          for name, value in pairs(values) do
-            object[name] = value
-          end
-        end
+        local a, b = box(0, 0, 10, 20, row[2]), box(6, 5, 10, 20, row[3])
         assert.equal("right", physics.bump(a, b, mode))
         assert.near(expected[1], a.x, 1e-12)
         assert.near(expected[2], b.x, 1e-12)

@@ -105,10 +105,11 @@ for _, row in ipairs(SHARES) do
   OPTIONAL[row[1]] = row
 end
 
-local function addOptional(n, object, share)
-  for _, row in ipairs(SHARES) do
+-- Gives it fields of a list, or any.
+local function addOptional(n, object, share, list)
+  for _, row in ipairs(list or SHARES) do
     if n.random:chance(row[2] * share) then
-      object[row[1]] = make(n, row)
+      object[row[1]] = make(n, OPTIONAL[row[1]])
     end
   end
   return object
@@ -398,11 +399,7 @@ local function makeClosedBox(self, column, row)
     vx = n:snap(n.random:between(-25, 25) * n.unit),
     vy = n:snap(n.random:between(-25, 25) * n.unit),
   }
-  for _, field in ipairs(CLOSED) do
-    if n.random:chance(field[2]) then
-      box[field[1]] = make(n, OPTIONAL[field[1]])
-    end
-  end
+  addOptional(n, box, 1, CLOSED)
   self:put(self:add(n.random:pick(GROUPS), box))
 end
 
@@ -460,11 +457,7 @@ local function squeezeBox(self, at, size)
     vx = n.random:chance(0.3) and n:speed() or nil,
     vy = n.random:chance(0.3) and n:speed() or nil,
   }
-  for _, field in ipairs(SQUEEZED) do
-    if n.random:chance(field[2]) then
-      box[field[1]] = make(n, OPTIONAL[field[1]])
-    end
-  end
+  addOptional(n, box, 1, SQUEEZED)
   squeeze(self, n.random:pick(GROUPS), at, size, box)
 end
 
@@ -563,11 +556,7 @@ local function equip(acts, seed, list)
   for _, act in ipairs(acts) do
     local object = FIELDS_AT[act[1]] == 4 and act[4]
     if object and not (object.static or object.kinematic) then
-      for _, field in ipairs(list) do
-        if n.random:chance(field[2]) then
-          object[field[1]] = make(n, OPTIONAL[field[1]])
-        end
-      end
+      addOptional(n, object, 1, list)
     end
   end
 end

@@ -4,23 +4,11 @@ local garbage = require("spec.support.garbage")
 local physics = require("physics")
 local small = require("spec.support.small")
 
-local newBox = small.box
+local newBox, static, wide = small.box, small.tile, small.put
 
 local WARM_UP, MEASURED = 600, 100
 
 local function nothing() end
-
-local function wide(x, y, width, height, fields)
-  local object = newBox(x, y, fields)
-  object.width, object.height = width, height
-  return object
-end
-
-local function static(x, y, width, height, fields)
-  local object = wide(x, y, width, height, fields)
-  object.static = true
-  return object
-end
 
 -- A part of the scene: adds its objects (the floor is at y 300), and may return what the game
 -- does before each step.

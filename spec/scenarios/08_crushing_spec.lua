@@ -312,14 +312,10 @@ it("onCrush: a ball is told once, also if the press stops or turns while it hold
       world:add("floors", { x = -50, y = 100, width = 200, height = 20, static = true })
       local press = { x = -50, y = 20, width = 150, height = 20, kinematic = true, vy = 60 }
       world:add("presses", press)
-      world:add("balls", {
-        x = 0,
-        y = 84,
-        radius = 8,
-        onCrush = function()
-          told = told + 1
-        end,
-      })
+      local ball = world:add("balls", { x = 0, y = 84, radius = 8 })
+      function ball.onCrush()
+        told = told + 1
+      end
       for step = 1, 2 * rate do
         press.vy = press.y < 68 and step < 1.5 * rate and 60 or step < 1.5 * rate and 0 or after
         world:update(1 / rate)

@@ -8,7 +8,7 @@ local variants = require("spec.support.variants")
 
 local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 local SQUEEZED = { turn = variants.TURNS, shift = { 0 }, push = { "both" } }
-local row = play.row
+local row = play.with({ expectApart = overlap.expectApart })
 local solid = scene.maker("tiles", { static = true })
 local machine = scene.maker("walls", { kinematic = true })
 local FLOOR, WALL = solid("floor", -500, 116, 1500, 32), solid("wall", 200, 0, 16, 116)
@@ -211,62 +211,50 @@ describe("pushable = false: a boss and what is inside it", function()
   local GROUND = solid("floor", -500, 300, 1500, 16)
   local BOSS = movable("boss", 200, 236, 80, 64, { pushable = false, mass = 100 })
 
-  local function expectParted(run, players)
-    local description = { GROUND, BOSS }
-    for n, entry in ipairs(players) do
-      description[n + 2] = entry
-    end
-    local named = run:build(description)
-    for _ in run:steps(1) do
-      run:at(named.boss, 200, 236)
-    end
-    overlap.expectApart(run)
-    return named.player
-  end
+  local PARTED = { { 1, "boss at 200, 236" }, "expectApart(run)" }
 
   scene.it("part, and the player alone moves, wherever in its foot it is", FEW, function(run)
     for at = -13, 79 do
-      local it_ = expectParted(run, { player("player", 200 + at, 276, 14, 24) })
+      local named = run:build({ GROUND, BOSS, player("player", 200 + at, 276, 14, 24) })
+      for _ in run:steps(1) do
+        run:at(named.boss, 200, 236)
+      end
+      overlap.expectApart(run)
+      local it_ = named.player
       run:near("the player's y", it_.y, 276)
       run:check(it_.x <= 186.01 or it_.x >= 279.99, "from %d it came to x = %.9g", at, it_.x)
     end
   end)
 
-  for _, given in ipairs({
-    -- x, y, width, height of the player; mass
-    { 230, 280, 20, 20, 1 },
-    { 230, 280, 20, 20, 1000 },
-    { 190, 292, 8, 8, 1 },
-    { 260, 200, 60, 100, 5 },
-    { 210, 226, 14, 24, 1 }, -- at its head: upwards
-    { 100, 260, 200, 40, 1 }, -- wider than the boss
-  }) do
-    local title = ("part, and a player of %g x %g px, mass %g, moves"):format(
-      given[3],
-      given[4],
-      given[5]
-    )
-    scene.it(title, FEW, function(run)
-      expectParted(
-        run,
-        { player("player", given[1], given[2], given[3], given[4], { mass = given[5] }) }
-      )
-    end)
-  end
+  row(
+    "part, and a player of {width} x {height} px, mass {mass}, moves",
+    FEW,
+    function(v)
+      return { GROUND, BOSS, player("player", v.x, v.y, v.width, v.height, { mass = v.mass }) }
+    end,
+    PARTED,
+    {
+      "x, y, width, height, mass",
+      { 230, 280, 20, 20, 1 },
+      { 230, 280, 20, 20, 1000 },
+      { 190, 292, 8, 8, 1 },
+      { 260, 200, 60, 100, 5 },
+      { 210, 226, 14, 24, 1 }, -- at its head: upwards
+      { 100, 260, 200, 40, 1 }, -- wider than the boss
+    }
+  )
 
-  scene.it("part, of ten that are all inside it, and each other", FEW, function(run)
-    local random, ten = newRandom(3), {}
+  row("part, of ten that are all inside it, and each other", FEW, function()
+    local random, list = newRandom(3), { GROUND, BOSS }
     for i = 1, 10 do
-      ten[i] = player(nil, random:between(200, 266), 276, 14, 24)
+      list[i + 2] = player(nil, random:between(200, 266), 276, 14, 24)
     end
-    expectParted(run, ten)
-  end)
+    return list
+  end, PARTED)
 
-  scene.it("part, if it is another boss", FEW, function(run)
-    local other = movable("other", 260, 236, 80, 64, { pushable = false, mass = 100 })
-    local named = run:build({ GROUND, BOSS, other })
-    run:play(1)
-    overlap.expectApart(run)
-    run:check(named.boss.x < named.other.x, "they have changed sides")
-  end)
+  local OTHER = movable("other", 260, 236, 80, 64, { pushable = false, mass = 100 })
+  row("part, if it is another boss", FEW, { GROUND, BOSS, OTHER }, {
+    1,
+    "expectApart(run); boss.x < other.x",
+  })
 end)

@@ -14,13 +14,14 @@ local function wall(world, x, y, width, height)
   return world:add("walls", { x = x, y = y, width = width, height = height, static = true })
 end
 
--- A shaft 160 px wide with a floor at y 400. Returns the world and its floor.
-local function newShaft(settings)
+-- A shaft 160 px wide, or so wide, with a floor at y 400. Returns the world and its floor.
+local function newShaft(settings, width)
+  width = width or 160
   local world = physics.newWorld(settings)
   world.gravity = 800
-  local floor = wall(world, -20, 400, 200, 20)
+  local floor = wall(world, -20, 400, width + 40, 20)
   wall(world, -20, -3000, 20, 3400)
-  wall(world, 160, -3000, 20, 3400)
+  wall(world, width, -3000, 20, 3400)
   return world, floor
 end
 
@@ -67,6 +68,17 @@ local function newSettled()
   return world, world.objects.walls[1]
 end
 
+-- A heap of ten from x on, at rest.
+local function newTen(x)
+  local world = newShaft()
+  for i = 0, 9 do
+    world:add("balls", { x = x + 12 * (i % 5), y = 300 - 14 * (i - i % 5), radius = 8 })
+  end
+  run(world, 6)
+  assert.are.equal(10, world.stats.resting)
+  return world
+end
+
 -- The y of the highest of a group.
 local function topOf(group)
   local top = math.huge
@@ -90,7 +102,7 @@ local function pour(world, seed, rate, each)
       })
     end
     world:update(1 / rate)
-    each(balls)
+    each(step, balls)
   end
   return balls
 end
@@ -178,20 +190,13 @@ describe("radius: a heap of balls", function()
   for _, row in ipairs({ { 30, 6, 0.8 }, { 60, 2, 0.5 }, { 120, 2, 0.5 } }) do
     it(("lies closely, and nothing hangs over a gap: %d Hz #slow"):format(row[1]), function()
       for seed = 1, effort.share(2) do
-        local world, deepest, inRoom = physics.newWorld({ gravity = 800 }), 0, 0
-        wall(world, -20, 400, 400, 20)
-        wall(world, -20, -3000, 20, 3400)
-        wall(world, 360, -3000, 20, 3400)
-        local steps = 0
-        local function look(balls)
-          steps = steps + 1
-          if steps % 3 > 0 then
-            return
+        local world, deepest, inRoom = newShaft({}, 360), 0, 0
+        local balls = pour(world, seed, row[1], function(step, balls)
+          if step % 3 == 0 then
+            local ofBalls, ofRoom = depths(balls, 360)
+            deepest, inRoom = math.max(deepest, ofBalls), math.max(inRoom, ofRoom)
           end
-          local ofBalls, ofRoom = depths(balls, 360)
-          deepest, inRoom = math.max(deepest, ofBalls), math.max(inRoom, ofRoom)
-        end
-        local balls = pour(world, seed, row[1], look)
+        end)
         run(world, 5, row[1])
         assert.are.equal(100, world.stats.resting)
         local ofBalls, hanging = depths(balls, 360), 0
@@ -207,10 +212,7 @@ describe("radius: a heap of balls", function()
   end
 
   it("comes to rest with as many boxes in it #slow", function()
-    local world, random = physics.newWorld({ gravity = 800 }), newRandom(1)
-    wall(world, -20, 400, 732, 20)
-    wall(world, -20, -3000, 20, 3400)
-    wall(world, 692, -3000, 20, 3400)
+    local world, random = newShaft({}, 692), newRandom(1)
     for i = 0, 299 do
       local width, height = random:between(10, 20), random:between(10, 20)
       local x, y = i % 30 * 23 + random:between(0, 3), 280 - (i - i % 30) / 30 * 23
@@ -302,12 +304,7 @@ describe("radius: a heap of balls", function()
   end)
 
   it("is struck apart by a fast ball", function()
-    local world = newShaft()
-    for i = 0, 9 do
-      world:add("balls", { x = 20 + 12 * (i % 5), y = 300 - 14 * (i - i % 5), radius = 8 })
-    end
-    run(world, 6)
-    assert.are.equal(10, world.stats.resting)
+    local world = newTen(20)
     local before = {}
     for n, object in ipairs(world.objects.balls) do
       before[n] = object.x
@@ -322,11 +319,7 @@ describe("radius: a heap of balls", function()
   end)
 
   it("is pushed by a player that walks against it", function()
-    local world = newShaft()
-    for i = 0, 9 do
-      world:add("balls", { x = 50 + 12 * (i % 5), y = 300 - 14 * (i - i % 5), radius = 8 })
-    end
-    run(world, 6)
+    local world = newTen(50)
     local player = world:add("players", { x = 2, y = 360, width = 12, height = 40, mass = 50 })
     for _ = 1, 90 do
       player.vx = 60
@@ -359,17 +352,14 @@ describe("radius: a heap of balls", function()
   end)
 
   long("lies between two slopes, and in none of them", function()
-    local world, random = physics.newWorld({ gravity = 800 }), newRandom(1)
-    wall(world, -20, 300, 440, 20)
-    wall(world, -20, -3000, 20, 3320)
-    wall(world, 400, -3000, 20, 3320)
-    local left = { x = 0, y = 200, width = 150, height = 100, slope = "left", static = true }
-    local right = { x = 250, y = 200, width = 150, height = 100, slope = "right", static = true }
+    local world, random = newShaft({}, 400), newRandom(1)
+    local left = { x = 0, y = 300, width = 150, height = 100, slope = "left", static = true }
+    local right = { x = 250, y = 300, width = 150, height = 100, slope = "right", static = true }
     world:add("slopes", left)
     world:add("slopes", right)
     local count = effort.isWhole and 40 or 16
     for i = 0, count - 1 do
-      local x, y = 20 + i % 10 * 36, 160 - (i - i % 10) / 10 * 30
+      local x, y = 20 + i % 10 * 36, 260 - (i - i % 10) / 10 * 30
       world:add("balls", { x = x, y = y, radius = random:between(7, 10) })
     end
     run(world, effort.isWhole and 12 or 6)
@@ -377,9 +367,9 @@ describe("radius: a heap of balls", function()
     for _, one in ipairs(world.objects.balls) do
       -- The lines go down by 100 px on 150, to the middle.
       local x, y, slant = one.x + one.radius, one.y + one.radius, math.sqrt(100 * 100 + 150 * 150)
-      local ofLeft, ofRight = (200 - y) * 150 + x * 100, (200 - y) * 150 + (400 - x) * 100
+      local ofLeft, ofRight = (300 - y) * 150 + x * 100, (300 - y) * 150 + (400 - x) * 100
       assert.is_true(math.min(ofLeft, ofRight) / slant >= one.radius - 1e-6, one.y)
-      assert.is_true(one.y + one.height <= 300 + 1e-6, one.y)
+      assert.is_true(one.y + one.height <= 400 + 1e-6, one.y)
     end
   end)
 

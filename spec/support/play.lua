@@ -286,4 +286,11 @@ function play.with(shared)
   end
 end
 
+--- The same for rows that are played in one variant.
+function play.once(shared)
+  return function(title, entries, given, rows)
+    play.row(title, play.ONCE, entries, given, rows, shared)
+  end
+end
+
 return play
