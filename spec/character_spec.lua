@@ -5,6 +5,7 @@ local effort = require("spec.support.effort")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
 local DT = 1 / 60
@@ -121,10 +122,7 @@ describe("strength", function()
   -- Returns how far it was pushed about, and how far it got. Every so many (`every`) are circles.
   local function walkOut(fields, count, seconds, soft, every)
     local world = physics.newWorld({ gravity = 0, soft = soft })
-    local player = world:add("players", { x = 390, y = 290, width = 28, height = 28 })
-    for name, value in pairs(fields) do
-      player[name] = value
-    end
+    local player = world:add("players", small.put(390, 290, 28, 28, fields))
     for n = 1, count do
       local y = n * (n % 2 == 1 and 61 or 41) % 580
       local enemy = world:add("enemies", { x = n * 97 % 780, y = y, width = 20, height = 20 })

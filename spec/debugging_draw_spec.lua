@@ -140,10 +140,7 @@ describe("draw", function()
     { "none where there is none", {}, { velocity = true }, BOTH },
   }) do
     it("draws " .. row[1], function()
-      local object = box({ x = 10, y = 20 })
-      for name, value in pairs(row[2]) do
-        object[name] = value
-      end
+      local object = small.put(10, 20, 16, 16, row[2])
       if SIDES[object.touching] == false then
         object.touching = { top = false, bottom = false, left = false, right = false }
         object.touching[row[2].touching] = {}

@@ -184,9 +184,7 @@ describe("checked", function()
       for name in pairs(row[2]) do
         object[name] = before[name]
       end
-      for name, value in pairs(row[4] or {}) do
-        object[name] = value
-      end
+      small.set(object, row[4])
       world:refresh(object == world and box or object)
       world:update(DT)
     end)

@@ -100,7 +100,7 @@ describe("world:loadLDtk", function()
       local level, world = load(
         newProject(nil, { ldtk.entity("Mob", 8, 8, 8, 8, row[1]) }),
         nil,
-        tiled.copyInto({ solid = {} }, row[2])
+        small.set({ solid = {} }, row[2])
       )
       table.remove(level.unsupported) -- that there is no wall
       assert.equal(row[3], tiled.show(level, world))

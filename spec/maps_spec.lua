@@ -371,7 +371,7 @@ describe("level:addMap and level:removeMap: a world of several maps", function()
       { fileName = "course.tmx", x = 0, y = 0, width = 320, height = 192 },
       { fileName = "meadow.tmx", x = 320, y = 32, width = 128, height = 64 },
     }
-    options = tiled.copyInto({ folder = "spec/maps" }, options)
+    options = small.set({ folder = "spec/maps" }, options)
     return world:loadTiled({ type = "world", maps = maps }, options), world
   end
 

@@ -248,7 +248,7 @@ without fields that do not fit each other, which are named once | ground | #1.1 
     { "drawn at the size of the grid", 0, "0 0 16 16", grid },
   }) do
     it("stand " .. row[1], function()
-      local set = row[4] and tiled.copyInto({ tilewidth = 24, tileheight = 40 }, row[4])
+      local set = row[4] and small.set({ tilewidth = 24, tileheight = 40 }, row[4])
       local map = newMap({ "a" }, nil, { a = 1 + row[2] }, not set and little, set)
       local _, world = load(map)
       assert.same({ row[3] }, boxes(world, "ground"))

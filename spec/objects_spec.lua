@@ -52,9 +52,7 @@ describe("world.objects", function()
   -- What a sensor that holds all of them is told of, one after the other.
   local function orderOf(settings)
     local text = ""
-    for name, value in pairs(settings) do
-      world[name] = value
-    end
+    small.set(world, settings)
     local sensor = { x = -99, y = -99, width = 999, height = 999, static = true, sensor = true }
     function sensor.onBegin(_, other)
       text = text .. other.name

@@ -37,11 +37,8 @@ describe("world:move", function()
   local function newScene(wall, shift)
     local world, o = still(), shift or 0
     local me = world:add("me", box(o, o, 10, 10, { vx = 3, vy = 4 }))
-    local fields = { name = "wall" }
-    for key, value in pairs(wall or {}) do
-      fields[key] = value
-    end
-    wall = world:add("walls", box(30 + o, -20 + o, 10, 40, fields))
+    wall = small.set({ name = "wall" }, wall)
+    wall = world:add("walls", box(30 + o, -20 + o, 10, 40, wall))
     local floor = world:add("floors", box(-50 + o, 20 + o, 200, 10, { name = "floor" }))
     return world, me, wall, floor
   end
@@ -185,11 +182,8 @@ describe("world:move", function()
       { {}, { active = false }, {} },
     }) do
       local world, me = newScene(row[1])
-      for object, fields in pairs({ [me] = row[2], [world] = row[3] }) do
-        for name, value in pairs(fields) do
-          object[name] = value
-        end
-      end
+      small.set(me, row[2])
+      small.set(world, row[3])
       assert.are.equal(80, (world:move(me, 80, 0)))
     end
   end)

@@ -201,11 +201,9 @@ describe("sweep", function()
     }) do
       local world, object, wall = scene({ oneWay = "left" })
       assert.are.equal(wall, (world:sweep(object, 40, 0)))
-      for owner, fields in pairs({ [wall] = row[1], [object] = row[2], [world] = row[3] }) do
-        for name, value in pairs(fields) do
-          owner[name] = value
-        end
-      end
+      small.set(wall, row[1])
+      small.set(object, row[2])
+      small.set(world, row[3])
       assert.is_nil(world:sweep(object, 40, 0))
     end
   end)

@@ -25,17 +25,12 @@ describe("world:interpolate", function()
   }) do
     it("is " .. row[1], function()
       local world = physics.newWorld({ gravity = 0, timestep = 0.25 })
-      local object = { x = 0, y = 0, width = 8, height = 8, vx = 40, vy = -80 }
-      for name, value in pairs(row[2]) do
-        object[name] = value
-      end
+      local object = small.set(small.put(0, 0, 8, 8, { vx = 40, vy = -80 }), row[2])
       world:add("boxes", object)
       for _, dt in ipairs(row[3]) do
         world:update(dt)
       end
-      for name, value in pairs(row[4]) do
-        object[name] = value
-      end
+      small.set(object, row[4])
       for _, dt in ipairs(row[5]) do
         world:update(dt)
       end

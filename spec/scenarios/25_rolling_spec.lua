@@ -30,10 +30,7 @@ local function ballOn(slope, x, changes)
   local alongX, alongY = slope.width / length, slope.height / length
   local y = slope.y + (x - slope.x) * slope.height / slope.width
   local ball = { x = x + alongY * R - R, y = y - alongX * R - R, radius = R }
-  for name, value in pairs(changes or {}) do
-    ball[name] = value
-  end
-  return ball, alongX, alongY
+  return small.set(ball, changes), alongX, alongY
 end
 
 local function gapOf(ball, other)

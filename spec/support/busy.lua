@@ -5,6 +5,7 @@
 
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
+local small = require("spec.support.small")
 
 local busy = {}
 
@@ -17,10 +18,7 @@ local BRIDGE = 6 -- tiles
 
 -- Adds an object; static unless `fields` say that it is kinematic.
 local function put(world, group, x, y, width, height, fields)
-  local object = { x = x, y = y, width = width, height = height, static = true }
-  for name, value in pairs(fields or {}) do
-    object[name] = value
-  end
+  local object = small.put(x, y, width, height, fields)
   object.static = not object.kinematic
   world:add(group, object)
 end

@@ -7,6 +7,7 @@
 --- round and round ("walker"), or there is none ("point").
 
 local newRandom = require("spec.support.random").new
+local set = require("spec.support.small").set
 local physics = require("physics")
 
 local crowds = {}
@@ -139,10 +140,7 @@ end
 ---`startsInside`: many of them start inside others, or in pillars
 ---@return table crowd `world`, `player`, `enemies`, `objects` (all of them)
 function crowds.new(options)
-  local settings = { gravity = 0 }
-  for name, value in pairs(options.settings or {}) do
-    settings[name] = value
-  end
+  local settings = set({ gravity = 0 }, options.settings)
   local self = setmetatable({ world = physics.newWorld(settings), time = 0 }, Crowd)
   self.goal, self.drive = options.goal, options.drive
   self.objects, self.enemies, self.speeds = {}, {}, {}

@@ -5,6 +5,7 @@
 
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
+local small = require("spec.support.small")
 
 local everything = {}
 
@@ -40,10 +41,7 @@ local function makeLevel(put)
     put("tiles", tile)
   end
   for _, row in ipairs(LEVEL) do
-    local object = { x = row[2], y = row[3], width = row[4], height = row[5] }
-    for name, value in pairs(row[6] or {}) do
-      object[name] = value
-    end
+    local object = small.put(row[2], row[3], row[4], row[5], row[6])
     object.static = not object.kinematic and row[1] ~= "pressed" or nil
     put(row[1], object)
   end
@@ -130,10 +128,7 @@ function everything.newWorld(settings)
     masks = { sparks = { sparks = false, bullets = false } },
     order = { "walls", "player" },
   }
-  for key, value in pairs(settings or {}) do
-    all[key] = value
-  end
-  local world = physics.newWorld(all)
+  local world = physics.newWorld(small.set(all, settings))
   world.onBegin, world.onCrush = onBegin(world), onCrush
   return world
 end

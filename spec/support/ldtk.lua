@@ -1,6 +1,6 @@
 --- Projects of the editor LDtk 1.5, in few words: what a JSON library makes of them.
 
-local copyInto = require("spec.support.tiled").copyInto
+local small = require("spec.support.small")
 
 local ldtk = {}
 
@@ -15,7 +15,7 @@ function ldtk.intGrid(identifier, rows, extra)
   local layer = { __identifier = identifier, __type = "IntGrid", __gridSize = 16, layerDefUid = 1 }
   layer.__cWid, layer.__cHei, layer.iid = #rows[1], #rows, "layer-" .. identifier
   layer.intGridCsv, layer.autoLayerTiles, layer.gridTiles = csv, {}, {}
-  return copyInto(layer, extra)
+  return small.set(layer, extra)
 end
 
 --- An entity; `fields` are names and values.
@@ -27,20 +27,20 @@ function ldtk.entity(identifier, x, y, width, height, fields, extra)
   local entity = { __identifier = identifier, __pivot = { 0.5, 1 }, __tags = {}, px = { x, y } }
   entity.width, entity.height, entity.iid = width, height, "entity-" .. identifier
   entity.fieldInstances = list
-  return copyInto(entity, extra)
+  return small.set(entity, extra)
 end
 
 function ldtk.entities(identifier, list, extra)
   local layer = ldtk.intGrid(identifier, { "." }, { __type = "Entities", layerDefUid = 2 })
   layer.intGridCsv, layer.entityInstances = {}, list
-  return copyInto(layer, extra)
+  return small.set(layer, extra)
 end
 
 function ldtk.level(identifier, layers, extra)
   local level = { identifier = identifier, iid = "level-" .. identifier, layerInstances = layers }
   level.worldX, level.worldY, level.pxWid, level.pxHei = 512, -64, 320, 160
   level.fieldInstances = { { __identifier = "music", __type = "String", __value = "cave" } }
-  return copyInto(level, extra)
+  return small.set(level, extra)
 end
 
 --- A project; `values` are the values of its one IntGrid layer: number -> identifier.

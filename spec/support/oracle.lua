@@ -7,6 +7,7 @@
 
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
+local small = require("spec.support.small")
 local physics = require("physics")
 
 local abs, exp, huge, max, sqrt = math.abs, math.exp, math.huge, math.max, math.sqrt
@@ -154,9 +155,7 @@ function Scene:draw(low, high, ...)
 end
 
 function Scene:set(settings)
-  for name, value in pairs(settings) do
-    self.world[name] = value
-  end
+  small.set(self.world, settings)
 end
 
 function Scene:box(fields)
@@ -174,11 +173,7 @@ function Scene:stand(fields)
 end
 
 function Scene:floor(fields)
-  local floor = { x = -30000, y = 0, width = 60000, height = 20, static = true }
-  for key, value in pairs(fields or {}) do
-    floor[key] = value
-  end
-  return self.world:add("floor", floor)
+  return self.world:add("floor", small.tile(-30000, 0, 60000, 20, fields))
 end
 
 -- Compares a place or a speed with what is computed.

@@ -19,6 +19,7 @@
 local physics = require("physics")
 local fail = require("busted").fail
 local newRandom = require("spec.support.random").new
+local set = require("spec.support.small").set
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
 
@@ -102,10 +103,7 @@ end
 
 --- The object that a scene describes, shifted and turned.
 local function place(run, description)
-  local object = {}
-  for key, value in pairs(description) do
-    object[key] = value
-  end
+  local object = set({}, description)
   local x, y, width, height = turn.box(run.turn, object.x, object.y, object.width, object.height)
   object.x, object.y, object.width, object.height = x + run.shift, y + run.shift, width, height
   turnPair(run.turn, object, "vx", "vy")
@@ -414,11 +412,7 @@ end
 
 --- A run in one variant.
 function scene.run(variant)
-  local run = setmetatable({}, Run)
-  for key, value in pairs(variant) do
-    run[key] = value
-  end
-  return run
+  return set(setmetatable({}, Run), variant)
 end
 
 --- Plays a row in every variant of a selection; the failure names the variants that failed.
@@ -458,14 +452,7 @@ end
 ---@return fun(fields?: table): table
 function scene.thing(group, defaults)
   return function(fields)
-    local object = {}
-    for key, value in pairs(defaults or {}) do
-      object[key] = value
-    end
-    for key, value in pairs(fields or {}) do
-      object[key] = value
-    end
-    return { group, object }
+    return { group, set(set({}, defaults), fields) }
   end
 end
 

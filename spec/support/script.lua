@@ -4,6 +4,7 @@
 
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
+local set = require("spec.support.small").set
 
 local script = {}
 
@@ -144,14 +145,6 @@ end
 local Player = {}
 Player.__index = Player
 
-local function copyOf(object)
-  local copy = {}
-  for key, value in pairs(object) do
-    copy[key] = value
-  end
-  return copy
-end
-
 --- Ways of putting an object into a world: each fills the keys 1, 2, 3 … of its group.
 script.inserts = {
   add = function(world, group, object)
@@ -172,7 +165,7 @@ script.inserts = {
 }
 
 function Player:add(group, description)
-  local object = copyOf(description)
+  local object = set({}, description)
   self.count = self.count + 1
   self.list[self.count] = object
   self.indexOf[object] = self.count
@@ -196,10 +189,7 @@ end
 ---@param insert function? one of script.inserts, add unless given
 ---@param prepare function? gets the world before anything is in it
 function script.play(self, settings, insert, prepare)
-  local all = { gravity = self.gravity }
-  for key, value in pairs(settings or {}) do
-    all[key] = value
-  end
+  local all = set({ gravity = self.gravity }, settings)
   local player = setmetatable({ script = self, step = 0, count = 0 }, Player)
   player.world = physics.newWorld(all)
   player.list, player.indexOf, player.told = {}, {}, {}
@@ -227,7 +217,7 @@ local function act(player, action)
     player.list[action[2]] = false
   else
     for field, value in pairs(action[3]) do
-      object[field] = type(value) == "table" and copyOf(value) or value
+      object[field] = type(value) == "table" and set({}, value) or value
     end
   end
 end

@@ -4,15 +4,20 @@ local physics = require("physics")
 
 local small = {}
 
---- Returns an object at x, y with more fields, or other ones.
+--- Returns an object that has these fields, too.
 ---@param fields? table
----@return table
-function small.put(x, y, width, height, fields)
-  local object = { x = x, y = y, width = width, height = height }
+function small.set(object, fields)
   for name, value in pairs(fields or {}) do
     object[name] = value
   end
   return object
+end
+
+--- Returns an object at x, y with more fields, or other ones.
+---@param fields? table
+---@return table
+function small.put(x, y, width, height, fields)
+  return small.set({ x = x, y = y, width = width, height = height }, fields)
 end
 
 --- The same of 16 px.

@@ -1,6 +1,7 @@
 --- Maps as Tiled 1.10 exports them, in few words.
 
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local tiled = {}
 
@@ -84,21 +85,12 @@ function tiled.boxes(world, group)
   return list
 end
 
-local function copyInto(target, extra)
-  for name, value in pairs(extra or {}) do
-    target[name] = value
-  end
-  return target
-end
-
-tiled.copyInto = copyInto
-
 --- A map of 16 px tiles around some tilesets and layers. What the library never reads is left out;
 --- spec/maps has whole exports.
 function tiled.map(tilesets, layers, extra)
   local map = { orientation = "orthogonal", width = 8, height = 4, tilewidth = 16, tileheight = 16 }
   map.properties, map.tilesets, map.layers = {}, tilesets, layers
-  return copyInto(map, extra)
+  return small.set(map, extra)
 end
 
 --- A tileset of 16 px tiles; `tiles` are those that say something.
@@ -106,11 +98,11 @@ function tiled.tileset(tiles, extra)
   local set = { name = "terrain", firstgid = 1, tilewidth = 16, tileheight = 16, tilecount = 16 }
   set.objectalignment, set.tilerendersize = "unspecified", "tile"
   set.tileoffset, set.tiles = { x = 0, y = 0 }, tiles or {}
-  return copyInto(set, extra)
+  return small.set(set, extra)
 end
 
 local function layer(type, id, name, extra)
-  return copyInto({ type = type, id = id, name = name, class = "", properties = {} }, extra)
+  return small.set({ type = type, id = id, name = name, class = "", properties = {} }, extra)
 end
 
 --- The gids of a picture: "." is nothing, a digit is a gid, other characters stand in `legend`.
@@ -130,31 +122,31 @@ end
 function tiled.tiles(id, name, rows, extra, legend)
   local made = layer("tilelayer", id, name, { encoding = "lua" })
   made.width, made.height, made.data = #rows[1], #rows, tiled.gids(rows, legend)
-  return copyInto(made, extra)
+  return small.set(made, extra)
 end
 
 --- An object layer.
 function tiled.objects(id, name, objects, extra)
   local made = layer("objectgroup", id, name, { objects = objects })
-  return copyInto(made, extra)
+  return small.set(made, extra)
 end
 
 --- A group of layers.
 function tiled.group(id, name, layers, extra)
-  return copyInto(layer("group", id, name, { layers = layers }), extra)
+  return small.set(layer("group", id, name, { layers = layers }), extra)
 end
 
 --- A rectangle of an object layer, or of a tile's collision shapes.
 function tiled.object(id, x, y, width, height, extra)
   local object = { id = id, x = x, y = y, width = width, height = height, rotation = 0 }
   object.name, object.type, object.shape, object.properties = "", "", "rectangle", {}
-  return copyInto(object, extra)
+  return small.set(object, extra)
 end
 
 --- What a tileset says of a tile with collision shapes.
 function tiled.shapes(id, objects, extra)
   local group = tiled.objects(2, "", objects)
-  return copyInto({ id = id, objectGroup = group }, extra)
+  return small.set({ id = id, objectGroup = group }, extra)
 end
 
 --- A part of an infinite layer.
@@ -199,7 +191,7 @@ local function flatten(layers, list)
         child.name = inner.name .. "." .. child.name
         child.offsetx = (inner.offsetx or 0) + (child.offsetx or 0)
         child.offsety = (inner.offsety or 0) + (child.offsety or 0)
-        child.properties = copyInto(copyInto({}, inner.properties), child.properties)
+        child.properties = small.set(small.set({}, inner.properties), child.properties)
       end
       flatten(inner.layers, list)
     else
