@@ -21,6 +21,7 @@ local sweep = require(root .. ".solver.sweep")
 local rounds = {}
 
 local DYNAMIC, WIDTHS, neighbours = columns.DYNAMIC, columns.WIDTHS, columns.neighbours
+local PAIR = {}
 local HUGE, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- Share of the smaller size from which on two that would end inside each other are torn.
@@ -98,13 +99,10 @@ local function isTorn(b, p)
 end
 
 -- Returns whether slots i and j, of pair p, one of which has a new path, meet before moment t.
--- (Their old paths must overlap: whether any other pair is known depends on earlier steps.)
 local function meetBefore(b, p, i, j, t)
-  if b.sensor[i] or b.sensor[j] or b.passing[p] or not sweep.isNear(b, b.swept, p, i, j) then
-    return false
-  end
-  local its = sweep.find(b, i, j)
-  return its ~= nil and its < t
+  local isOpen = not (b.sensor[i] or b.sensor[j] or b.passing[p])
+  local its = isOpen and sweep.isNear(b, b.to, p, i, j) and sweep.find(b, i, j)
+  return its and its < t
 end
 
 -- Returns whether an earlier impact of this round may have invalidated that of slot i at moment t:
@@ -125,7 +123,8 @@ local function isDisturbed(b, i, t)
 end
 
 -- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
--- the rest of the step. Returns whether they met: a nudge may lead past.
+-- the rest of the step. Their new neighbours are looked up, since impacts of these may wait for
+-- them. Returns whether they met: a nudge may lead past.
 local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
   change(b, i, j, true)
   if b.hasNudges and not isLast and nudge.correct(b, p, i, j, axis, t) then
@@ -136,6 +135,9 @@ local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
     contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
     b.pressed[p] = stays and 1 or b.pressed[p]
   end
+  PAIR[1], PAIR[2] = i, j
+  pairFinder.run(b, PAIR, 2)
+  contacts.noteNew(b)
   return true
 end
 
@@ -161,7 +163,7 @@ local function happen(b, n, dt, isLast, isLate)
   if isDisturbed(b, i, t) or isDisturbed(b, j, t) then
     local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
     change(b, i, j, not isSensed and (mayBounce or isRound))
-    isLast = false
+    return
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
   then
@@ -169,9 +171,8 @@ local function happen(b, n, dt, isLast, isLate)
   elseif isSensed then
     impact.sense(b, p, i, j, axis, t, dt)
     return
-  elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
-    isLast = false
   end
+  isLast = meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) and isLast
   if isLast and not outdoes(b, i, j) then
     path.stop(b, i, t, isRound)
   end

@@ -250,6 +250,26 @@ describe("restitution: a column of boxes of 8 px that falls", function()
   end
 end)
 
+describe("restitution: a box that comes back from a wall", function()
+  --   C ->>     B      A ->>>|    A hits the wall, B, and the wall again; B hits C before that
+  it("meets in one step what comes the other way", function()
+    local levels = { rate = { 30 }, push = { "both" }, order = { "forward", "shuffled" } }
+    scene.each(levels, function(run)
+      local description = { gravity = 0, maxStep = 1 / 30, wall(nil, 100, 0, 20, 100) }
+      local A, B, C = { vx = 3000, restitution = 1 }, { restitution = 1 }, { restitution = 1 }
+      C.vx = 666
+      description[#description + 1] = box("A", 80, 50, 10, 10, A)
+      description[#description + 1] = box("B", 50, 50, 10, 10, B)
+      description[#description + 1] = box("C", 20, 50, 10, 10, C)
+      local named = run:build(description)
+      run:step(1 / 30)
+      run:near("x of A", named.A.x, 62.2, 1e-9)
+      run:near("x of B", named.B.x, 50, 1e-9)
+      run:near("x of C", named.C.x, -20, 1e-9)
+    end)
+  end)
+end)
+
 describe("restitution and masks: shots that pass each other", function()
   it("all bounce off a wall that they reach in one step", function()
     scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
