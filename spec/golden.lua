@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "68172506741472",
-  games5000001 = "1361835536",
-  games5000004 = "970544283",
-  games5000009 = "2063526867",
-  wild = "1813533943",
+  games5000001 = "670331882",
+  games5000004 = "776199639",
+  games5000009 = "650965139",
+  wild = "2125000656",
 }

@@ -10,6 +10,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
+local filter = require(root .. ".broadphase.filter")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -21,7 +22,6 @@ local sweep = require(root .. ".solver.sweep")
 local rounds = {}
 
 local DYNAMIC, WIDTHS, neighbours = columns.DYNAMIC, columns.WIDTHS, columns.neighbours
-local PAIR = {}
 local HUGE, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- Share of the smaller size from which on two that would end inside each other are torn.
@@ -29,6 +29,8 @@ local TORN = 0.25
 -- Maximum number of impacts in a step of a body that overlaps others and has no room. (Without it a
 -- piston that presses 250 boxes takes three times as long.)
 local SPENT = 2
+-- Maximum number of new paths in a round with which a later impact is compared.
+local BOUNCED = 256
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
 
@@ -98,21 +100,46 @@ local function isTorn(b, p)
     and b.to[kl] + b.separation[p] - b.to[kh] > TORN * min(b.size[kl], b.size[kh])
 end
 
+-- Returns whether slot j, which has a new path, may meet slot i on that, or might have on its old
+-- one. The path of slot i counts with its own length around it.
+local function comesNear(b, i, j)
+  local from, to, swept, size = b.from, b.to, b.swept, b.size
+  local x, y = to[2 * i] - from[2 * i], to[2 * i + 1] - from[2 * i + 1]
+  local reach = max(x, -x, y, -y)
+  for axis = 0, 1 do
+    local k, m = 2 * i + axis, 2 * j + axis
+    local low, high = min(from[k], to[k]) - reach, max(from[k], to[k]) + size[k] + reach
+    local its = max(from[m], to[m], swept[m]) + size[m]
+    if its <= low or min(from[m], to[m], swept[m]) >= high then
+      return false
+    end
+  end
+  return filter.blocks(b, i, j, true)
+end
+
 -- Returns whether slots i and j, of pair p, one of which has a new path, meet before moment t.
+-- (Their old paths must overlap: whether any other pair is known depends on earlier steps.)
 local function meetBefore(b, p, i, j, t)
   local isOpen = not (b.sensor[i] or b.sensor[j] or b.passing[p])
-  local its = isOpen and sweep.isNear(b, b.to, p, i, j) and sweep.find(b, i, j)
+  local its = isOpen and sweep.isNear(b, b.swept, p, i, j) and sweep.find(b, i, j)
   return its and its < t
 end
 
 -- Returns whether an earlier impact of this round may have invalidated that of slot i at moment t:
--- it changed the path of slot i, or of a body that it would meet before, or end far inside of.
-local function isDisturbed(b, i, t)
+-- it changed the path of slot i, or of a body that it would meet before, or end far inside of; or,
+-- if it may bounce (`mayBounce`), of one that comes near, since that may bounce, too.
+local function isDisturbed(b, i, t, mayBounce)
   local inRound, round = b.inRound, b.roundStamp
   if inRound[i] == round then
     return true
   elseif b.kind[i] ~= DYNAMIC then
     return false
+  end
+  for n = 1, mayBounce and min(b.changedCount, BOUNCED) or 0 do
+    local j = b.changed[n]
+    if inRound[j] == round and comesNear(b, i, j) then
+      return true
+    end
   end
   for _, j, p in neighbours(b, i) do
     if inRound[j] == round and (isTorn(b, p) or meetBefore(b, p, i, j, t)) then
@@ -123,8 +150,7 @@ local function isDisturbed(b, i, t)
 end
 
 -- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
--- the rest of the step. Their new neighbours are looked up, since impacts of these may wait for
--- them. Returns whether they met: a nudge may lead past.
+-- the rest of the step. Returns whether they met: a nudge may lead past.
 local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
   change(b, i, j, true)
   if b.hasNudges and not isLast and nudge.correct(b, p, i, j, axis, t) then
@@ -135,9 +161,6 @@ local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
     contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
     b.pressed[p] = stays and 1 or b.pressed[p]
   end
-  PAIR[1], PAIR[2] = i, j
-  pairFinder.run(b, PAIR, 2)
-  contacts.noteNew(b)
   return true
 end
 
@@ -160,8 +183,8 @@ local function happen(b, n, dt, isLast, isLate)
   if b.passing[p] or areEqual and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
-  if isDisturbed(b, i, t) or isDisturbed(b, j, t) then
-    local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  if isDisturbed(b, i, t, mayBounce) or isDisturbed(b, j, t, mayBounce) then
     change(b, i, j, not isSensed and (mayBounce or isRound))
     return
   elseif
@@ -172,11 +195,13 @@ local function happen(b, n, dt, isLast, isLate)
     impact.sense(b, p, i, j, axis, t, dt)
     return
   end
-  isLast = meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) and isLast
-  if isLast and not outdoes(b, i, j) then
+  if not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) or not isLast then
+    return
+  end
+  if not outdoes(b, i, j) then
     path.stop(b, i, t, isRound)
   end
-  if isLast and not outdoes(b, j, i) then
+  if not outdoes(b, j, i) then
     path.stop(b, j, t, isRound)
   end
 end
