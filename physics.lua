@@ -90,13 +90,15 @@ function physics.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
 end
 
--- The other functions of the tutorial.
-for _, name in ipairs({ "inside", "side", "bump" }) do
-  physics[name] = function(first, ...)
+-- Another function of the tutorial.
+local function dotted(name)
+  return function(first, ...)
     checkDot(first, name)
     return pure[name](first, ...)
   end
 end
+
+physics.inside, physics.side, physics.bump = dotted("inside"), dotted("side"), dotted("bump")
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
 --- `checkCollision`, `inside` and `bump`. Each `physics_update` uses the table that the global
