@@ -15,8 +15,8 @@ local BUDGET = {
   { "physics/objects", 1157 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3857 },
-  { "physics/space", 386 },
+  { "physics/solver", 3855 },
+  { "physics/space", 385 },
   { "physics/state", 839 },
   { "physics/world", 1401 },
 }

@@ -93,7 +93,7 @@ local function change(b, i, j, takesPart)
 end
 
 -- Returns whether the bodies of contact p, one of which has a new path, would end far inside each
--- other. (Without this, a piston that presses 250 boxes takes all rounds instead of 6.)
+-- other.
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
   return b.touches[p] == contacts.CONTACT
@@ -207,7 +207,7 @@ local function happen(b, n, dt, isLast, isLate)
 end
 
 --- Makes one round: sweeps changed paths, then resolves the first impact of each body. Returns
---- whether there was any that changes a path.
+--- whether anything is to be swept again.
 function rounds.run(b, dt, isLast, isLate)
   local count = sweep.run(b)
   b.changedCount, b.dirtyStamp = 0, b.dirtyStamp + 1
