@@ -118,6 +118,20 @@ describe("shapes.gap and shapes.meet", function()
   end
 end)
 
+describe("shapes.meet", function()
+  -- Of 8 px; the first is 10 px further right than where the second begins, which is at 8.
+  for _, row in ipairs({ { 0, 1 }, { 10, -1 } }) do
+    local way, side = row[1], row[2]
+    it(
+      ("leaves by the nearest side, or by the one it came in by: %d px ago"):format(way),
+      function()
+        local share, nx, ny, _, isDeep = shapes.meet(0, 10, 0, 8, 8, 0, 8, 0, 8, 8, 1, 0, 1, way, 0)
+        assert.same({ 0, side, 0, true }, { share, nx, ny, isDeep })
+      end
+    )
+  end
+end)
+
 describe("lines.passage", function()
   it("begins and ends where points of the line are in the shape", function()
     local random = newRandom(5)

@@ -270,6 +270,34 @@ describe("restitution: a box that comes back from a wall", function()
   end)
 end)
 
+-- What settles in the last rounds of a step.
+describe("restitution: ten boxes of 0.9 in a row that meet a heavier one", function()
+  -- Steps a second, their speed, and px between them, the last up to the heavy one.
+  for _, row in ipairs({
+    { 30, 631, { 0, 0, 0, 0, 1.6, 0.1, 0, 0, 1.7, 11.1 } },
+    { 60, 452, { 0, 0, 0.2, 0, 0, 0, 1.5, 0, 0.2, 6.9 } },
+  }) do
+    local rate, speed, gaps = row[1], row[2], row[3]
+    it(("are never in each other: %d px/s, %d Hz"):format(speed, rate), function()
+      scene.each({ rate = { rate }, push = { "both" } }, function(run)
+        local description, x = { gravity = 0 }, 0
+        for i = 1, 10 do
+          description[i] = box("box" .. i, x, 0, 20, 20, { vx = speed, restitution = 0.9 })
+          x = x + 20 + gaps[i]
+        end
+        description[11] = box("box11", x, -10, 32, 40, { vx = -100, mass = 5 })
+        local named = run:build(description)
+        for _ in run:steps(1) do
+          for i = 2, 11 do
+            local gap = named["box" .. i].x - named["box" .. i - 1].x - 20
+            run:check(gap > -0.05, "%d is %g px in the one before", i, -gap)
+          end
+        end
+      end)
+    end)
+  end
+end)
+
 describe("restitution and masks: shots that pass each other", function()
   it("all bounce off a wall that they reach in one step", function()
     scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
