@@ -24,8 +24,6 @@ local rounds = {}
 local DYNAMIC, WIDTHS, neighbours = columns.DYNAMIC, columns.WIDTHS, columns.neighbours
 local HUGE, floor, max, min = math.huge, math.floor, math.max, math.min
 
--- Share of the smaller size from which on two that would end inside each other are torn.
-local TORN = 0.25
 -- Maximum number of impacts in a step of a body that overlaps others and has no room. (Without it a
 -- piston that presses 250 boxes takes three times as long.)
 local SPENT = 2
@@ -92,14 +90,6 @@ local function change(b, i, j, takesPart)
   end
 end
 
--- Returns whether the bodies of contact p, one of which has a new path, would end far inside each
--- other.
-local function isTorn(b, p)
-  local kl, kh = b.contactLow[p], b.contactHigh[p]
-  return b.touches[p] == contacts.CONTACT
-    and b.to[kl] + b.separation[p] - b.to[kh] > TORN * min(b.size[kl], b.size[kh])
-end
-
 -- Returns whether slot j, which has a new path, may meet slot i on that, or might have on its old
 -- one. The path of slot i counts with its own length around it.
 local function comesNear(b, i, j)
@@ -126,8 +116,8 @@ local function meetBefore(b, p, i, j, t)
 end
 
 -- Returns whether an earlier impact of this round may have invalidated that of slot i at moment t:
--- it changed the path of slot i, or of a body that it would meet before, or end far inside of; or,
--- if it may bounce (`mayBounce`), of one that comes near, since that may bounce, too.
+-- it changed the path of slot i, or of a body that it would meet before; or, if it may bounce
+-- (`mayBounce`), of one that comes near, since that may bounce, too.
 local function isDisturbed(b, i, t, mayBounce)
   local inRound, round = b.inRound, b.roundStamp
   if inRound[i] == round then
@@ -142,7 +132,7 @@ local function isDisturbed(b, i, t, mayBounce)
     end
   end
   for _, j, p in neighbours(b, i) do
-    if inRound[j] == round and (isTorn(b, p) or meetBefore(b, p, i, j, t)) then
+    if inRound[j] == round and meetBefore(b, p, i, j, t) then
       return true
     end
   end
