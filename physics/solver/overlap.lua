@@ -289,8 +289,9 @@ local function isOpen(b, p, i, j)
 end
 
 -- Adds pair p to the work of this round if its bodies overlap: those with something immovable
--- first, then the deepest.
-local function consider(b, p)
+-- first, then the deepest. (What is driven would hop: what the last step left of it parts as
+-- contacts.)
+local function consider(b, p, isOld)
   local work, i, j = b.partWork, b.pairA[p], b.pairB[p]
   if work.stamp[p] == work.round or not isOpen(b, p, i, j) then
     return
@@ -298,7 +299,9 @@ local function consider(b, p)
   local width, height = depthOf(b, i, j)
   -- For a body that can be pushed, one that cannot is like an immovable one.
   local isFirm = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.power[i] ~= b.power[j]
-  if isDeep(width, height) and (isFirm or not (isCrowded(b, i) or isCrowded(b, j))) then
+  local isLeft = isOld and (path.isDriven(b, i) or path.isDriven(b, j))
+  local isHere = isFirm or not (isLeft or isCrowded(b, i) or isCrowded(b, j))
+  if isHere and isDeep(width, height) then
     work.stamp[p], work.count = work.round, work.count + 1
     b.pairList[work.count] = p
     b.sortKey[p] = -min(width, height) - (isFirm and FAR or 0)
@@ -307,10 +310,10 @@ local function consider(b, p)
 end
 
 -- Considers the pairs of slot i. (A crowd lays out its members: they leave only what is none.)
-local function considerAll(b, i)
+local function considerAll(b, i, isOld)
   for _, j, p in neighbours(b, i) do
     if max(b.crowd[2 * i], b.crowd[2 * j]) <= 0 or b.kind[i] ~= b.kind[j] then
-      consider(b, p)
+      consider(b, p, isOld)
     end
   end
 end
@@ -355,7 +358,7 @@ function overlap.run(b)
   end
   for n = 1, b.hasInside and b.awakeCount or 0 do
     if b.inside[b.awakeList[n]] then
-      considerAll(b, b.awakeList[n])
+      considerAll(b, b.awakeList[n], true)
     end
   end
   for _ = 1, ROUNDS do

@@ -250,6 +250,8 @@ describe("games of the kinds that are made show nothing that a player would noti
   -- A ball between a round pillar and a wall, which others press.
   long("survivors, for longer", function()
     expectClean("survivors", 73, 480)
+    expectClean("survivors", 105, 120) -- parted at once, one hops
+    expectClean("survivors", 1078, 360) -- parted along the other axis, one is in the player
   end)
 end)
 
