@@ -182,13 +182,14 @@ end
 --- changed one of the two. It is no longer wedged into them, and there may be room now. (It may
 --- touch them again in the same step.)
 function events.endContacts(b, i, isOver)
-  if b.hasPacked then
-    relax.loosen(b, i)
-  end
   for _, j, p in columns.neighbours(b, i) do
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
       if b.contact[p] ~= 0 then
+        if b.hasPacked then
+          relax.loosen(b, i)
+          relax.loosen(b, j)
+        end
         events.finish(b, p, b.contact[p])
         b.contact[p], b.contactCount = 0, b.contactCount - 1
       end
