@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1157 },
   { "physics/queries", 780 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3851 },
+  { "physics/solver", 3852 },
   { "physics/space", 385 },
   { "physics/state", 839 },
   { "physics/world", 1401 },

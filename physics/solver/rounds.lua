@@ -90,17 +90,17 @@ local function change(b, i, j, takesPart)
   end
 end
 
--- Returns whether slot j, which has a new path, may meet slot i on that, or might have on its old
--- one. The path of slot i counts with its own length around it.
-local function comesNear(b, i, j)
+-- Returns whether slot j, which has a new path, may meet slot i on that until moment t, or might
+-- have on its old one. The path of slot i counts with its own length around it.
+local function comesNear(b, i, j, t)
   local from, to, swept, size = b.from, b.to, b.swept, b.size
   local x, y = to[2 * i] - from[2 * i], to[2 * i + 1] - from[2 * i + 1]
-  local reach = max(x, -x, y, -y)
+  local reach = max(x, -x, y, -y) * t
   for axis = 0, 1 do
     local k, m = 2 * i + axis, 2 * j + axis
-    local low, high = min(from[k], to[k]) - reach, max(from[k], to[k]) + size[k] + reach
-    local its = max(from[m], to[m], swept[m]) + size[m]
-    if its <= low or min(from[m], to[m], swept[m]) >= high then
+    local way, its, old = (to[k] - from[k]) * t, (to[m] - from[m]) * t, (swept[m] - from[m]) * t
+    local low, high = from[k] + min(way, 0) - reach, from[k] + size[k] + max(way, 0) + reach
+    if from[m] + size[m] + max(its, old, 0) <= low or from[m] + min(its, old, 0) >= high then
       return false
     end
   end
@@ -117,7 +117,9 @@ end
 
 -- Returns whether an earlier impact of this round may have invalidated that of slot i at moment t:
 -- it changed the path of slot i, or of a body that it would meet before; or, if it may bounce
--- (`mayBounce`), of one that comes near, since that may bounce, too.
+-- (`mayBounce`), of one that comes near until twice that moment, since that may bounce, too, and be
+-- faster then. (In late rounds it counts as if it did not: beside two that meet without end, it
+-- would wait until there are no more rounds.)
 local function isDisturbed(b, i, t, mayBounce)
   local inRound, round = b.inRound, b.roundStamp
   if inRound[i] == round then
@@ -127,7 +129,7 @@ local function isDisturbed(b, i, t, mayBounce)
   end
   for n = 1, mayBounce and min(b.changedCount, BOUNCED) or 0 do
     local j = b.changed[n]
-    if inRound[j] == round and comesNear(b, i, j) then
+    if inRound[j] == round and comesNear(b, i, j, min(2 * t, 1)) then
       return true
     end
   end
@@ -174,7 +176,8 @@ local function happen(b, n, dt, isLast, isLate)
     return
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
-  if isDisturbed(b, i, t, mayBounce) or isDisturbed(b, j, t, mayBounce) then
+  local waits = mayBounce and not isLate
+  if isDisturbed(b, i, t, waits) or isDisturbed(b, j, t, waits) then
     change(b, i, j, not isSensed and (mayBounce or isRound))
     return
   elseif
