@@ -228,6 +228,8 @@ in a group | things group:enemies | 0 0 8 8; 9 0 8 8 group:coins
   enemies 0 0 8 8 sensor static; coins 9 0 8 8 sensor static
 have the size of the editor | things | 0 0 8 8 width:8 x:0; 0 0 8 8 width:9 x:1; 0 0 8 8 width:7
   things 0 0 8 8 sensor static; things 0 0 8 8 sensor static; things 0 0 8 8 sensor static
+are walls by their layer before their mass | walls | 0 0 8 8 mass:2; 9 0 8 8 kinematic:true
+  walls 0 0 8 8 mass=2 static; walls 9 0 8 8 kinematic
 of a layer that drifts | hills parallaxy=0.5 | 0 0 8 8
   hills 0 0 8 8 sensor static; ! hills: parallax: its objects do not drift
 none of a layer that drifts | hills parallaxy=0.5 | solid 0 0 8 8 solid:false
