@@ -17,17 +17,16 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
-local EPSILON = columns.EPSILON
+local EPSILON = constants.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
--- stick.
+-- Number of attempts in which bonds may break, and of all attempts (see bonds.lua).
 local TEARS, ATTEMPTS = 2, 4
 -- px by which what is squeezed may overlap what bears it, and still rub on it.
 local SQUEEZED = 0.01
@@ -65,7 +64,7 @@ end
 -- which gives way.
 local function leans(b, k, m, sign, held)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
-  if b.give[k] == 0 or lost < 0 then
+  if b.inverseMassNow[k] == 0 or lost < 0 then
     return false
   elseif held[m] > 0 then
     return true
@@ -104,7 +103,7 @@ end
 -- Adds the load of contact c: the impulse that was taken off `up` in this step, plus the load that
 -- stands on it. At most what its own acceleration made counts as weight; the rest is an impact.
 local function addLoad(b, list, c, up, low, sign, dt)
-  local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
+  local mass, start, speed = 1 / b.inverseMassNow[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
   if air ~= 0 then -- air friction that would slow its fall bears no load
     free = start + (path.pullOf(b, up) - air * (speed - b.carried[up])) * dt
@@ -120,7 +119,7 @@ end
 -- once.
 local function addGround(b, k, base, mu, load, weight, dt)
   load, weight = mu * load, mu * weight
-  local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
+  local slip, jolt = b.onset[k] - base, (load - weight) * b.inverseMassNow[k]
   if jolt > 0 then
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
@@ -138,7 +137,7 @@ local function addContact(b, list, held, c, ku, ks, dt)
     return
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
-  if b.give[ts] == 0 then
+  if b.inverseMassNow[ts] == 0 then
     addGround(b, tu, carriers.surface(b, i, j, axis), mu, list.load[c], list.weight[c], dt)
   else
     bonds.add(b, held, tu, ts, mu * list.load[c])

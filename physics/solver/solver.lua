@@ -6,7 +6,7 @@
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
--- 4. Limit the motion of overlapping bodies (`relax`), let bodies go down with the ground
+-- 4. Limit the motion of overlapping bodies (`bounds`), let bodies go down with the ground
 --    (`snap`), note what is pressed and what is crushed (`notePressed`).
 --
 -- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
@@ -16,18 +16,18 @@
 -- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local bounds = require(root .. ".memory.lazy")(root .. ".solver.bounds")
+local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
+local islands = require(root .. ".sleep.islands")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
-local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
-local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
@@ -36,7 +36,7 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local solver = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC = constants.DYNAMIC
 local floor, max, min = math.floor, math.max, math.min
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
@@ -56,7 +56,7 @@ end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
 local function begin(b, dt)
-  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
+  local list, kind, buried, inverseMassNow = b.awakeList, b.kind, b.buried, b.inverseMassNow
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local accel, changed = b.accel, b.changed
@@ -68,11 +68,11 @@ local function begin(b, dt)
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
       elseif b.crowd[2 * i] > 0 and speed[k] * b.down[k] > 0 then -- a crowd does not fall
-        b.way[k] = 0.0
+        b.displacement[k] = 0.0
         path.finish(b, k, from[k], b.carried[k], 0.0)
       end
       origin[k] = from[k]
-      give[k] = not buried[i] and inverseMass[i] or 0
+      inverseMassNow[k] = not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
@@ -200,7 +200,7 @@ local function solve(b, dt)
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
   if hasChanged or b.hasRound then
-    relax.run(b, dt, hasChanged)
+    bounds.run(b, dt, hasChanged)
   end
   if b.hasSnaps then
     snap.run(b)
