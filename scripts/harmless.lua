@@ -143,8 +143,8 @@ return {
   },
   {
     "physics/narrowphase/yielding.lua",
-    "if sign < 0 and b.heldLow[k] > 0 and inverseMassNow > 0 then",
-    "if sign <= 0 and b.heldLow[k] > 0 and inverseMassNow > 0 then",
+    "if sign < 0 and b.heldLow[k] > 0 and give > 0 then",
+    "if sign <= 0 and b.heldLow[k] > 0 and give > 0 then",
     "what is 0 there is the normal, and all that is given along that axis is a multiple of it",
   },
   {

@@ -64,7 +64,7 @@ end
 -- which gives way.
 local function leans(b, k, m, sign, held)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
-  if b.inverseMassNow[k] == 0 or lost < 0 then
+  if b.give[k] == 0 or lost < 0 then
     return false
   elseif held[m] > 0 then
     return true
@@ -103,7 +103,7 @@ end
 -- Adds the load of contact c: the impulse that was taken off `up` in this step, plus the load that
 -- stands on it. At most what its own acceleration made counts as weight; the rest is an impact.
 local function addLoad(b, list, c, up, low, sign, dt)
-  local mass, start, speed = 1 / b.inverseMassNow[up], b.start[up], b.speed[up]
+  local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
   if air ~= 0 then -- air friction that would slow its fall bears no load
     free = start + (path.pullOf(b, up) - air * (speed - b.carried[up])) * dt
@@ -119,7 +119,7 @@ end
 -- once.
 local function addGround(b, k, base, mu, load, weight, dt)
   load, weight = mu * load, mu * weight
-  local slip, jolt = b.onset[k] - base, (load - weight) * b.inverseMassNow[k]
+  local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
   if jolt > 0 then
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
@@ -137,7 +137,7 @@ local function addContact(b, list, held, c, ku, ks, dt)
     return
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
-  if b.inverseMassNow[ts] == 0 then
+  if b.give[ts] == 0 then
     addGround(b, tu, carriers.surface(b, i, j, axis), mu, list.load[c], list.weight[c], dt)
   else
     bonds.add(b, held, tu, ts, mu * list.load[c])

@@ -17,6 +17,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bounds = require(root .. ".memory.lazy")(root .. ".solver.bounds")
+local clip = require(root .. ".memory.lazy")(root .. ".solver.clip")
 local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
@@ -29,6 +30,7 @@ local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local rounds = require(root .. ".solver.rounds")
+local slant = require(root .. ".memory.lazy")(root .. ".solver.slant")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sweep = require(root .. ".solver.sweep")
@@ -47,16 +49,19 @@ local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
+-- How often slanted contacts are solved before the first round.
+local PRESSES = 3
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.impacts = sweep.newImpacts()
+  b.slants = { count = 0 }
 end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
 local function begin(b, dt)
-  local list, kind, buried, inverseMassNow = b.awakeList, b.kind, b.buried, b.inverseMassNow
+  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local accel, changed = b.accel, b.changed
@@ -72,7 +77,7 @@ local function begin(b, dt)
         path.finish(b, k, from[k], b.carried[k], 0.0)
       end
       origin[k] = from[k]
-      inverseMassNow[k] = not buried[i] and inverseMass[i] or 0
+      give[k] = not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
@@ -132,6 +137,20 @@ local function settleLate(b, dt, isFirst)
   end
 end
 
+-- Solves the slanted contacts of round bodies, and settles again what that has pushed. `isFirst`:
+-- nothing was swept yet, so that pairs may be added.
+local function pressRound(b, dt, isFirst)
+  for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
+    local hasNew = isFirst and (n > 1 or not slant.hasWall(b)) and slant.find(b)
+    if hasNew or slant.isViolated(b) then
+      slant.press(b)
+      settleLate(b, dt, false)
+    elseif n > 1 then
+      return
+    end
+  end
+end
+
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
@@ -146,6 +165,7 @@ local function prepare(b, dt)
     nudgeTouching(b, dt)
   end
   settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
+  pressRound(b, dt, true)
 end
 
 -- Makes the rounds, until bodies are woken. Returns whether bodies may have left the ground since
@@ -161,6 +181,7 @@ local function runRounds(b, dt, awakenings)
       walk.run(b, dt, false)
     end
     settleLate(b, dt, false)
+    pressRound(b, dt, false)
   end
   return b.overlapCount > 0 or b.isTight
 end
@@ -199,6 +220,9 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
+  if b.walks then
+    clip.run(b, dt)
+  end
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)
   end
@@ -210,6 +234,9 @@ local function solve(b, dt)
   end
   notePressed(b, 0)
   notePressed(b, 1)
+  if b.slants.count > 0 then
+    slant.tell(b)
+  end
   return true
 end
 
