@@ -173,7 +173,7 @@ end
 -- Adds the half-planes of what box i touches, but for edges of slopes.
 local function addRoom(b, i)
   for _, j, p in neighbours(b, i) do
-    if b.touches[p] ~= APART and not touch.haveFaces(b, i, j) then
+    if b.touches[p] ~= APART and not (isRound[b.shape[j]] or touch.haveFaces(b, i, j)) then
       local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i
       if isLow and b.roomHigh[kh] < huge then

@@ -186,6 +186,14 @@ local function runRounds(b, dt, awakenings)
   return b.overlapCount > 0 or b.isTight
 end
 
+-- Notes that body k is crushed: between those that hold it, unless its neighbours press it.
+local function noteCrush(b, k)
+  if not b.crushed[k] then
+    b.crushed[k], b.hasCrushed = true, true
+    b.crushLow[k], b.crushHigh[k] = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
+  end
+end
+
 -- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits
 -- of contacts that begin so, and which bodies are crushed: squeezed between two that cannot give
 -- way.
@@ -205,10 +213,12 @@ local function notePressed(b, axis)
         impact.note(b, p, floor(kl * 0.5), axis, max(b.start[kl] - b.start[kh], 0.0), 0)
       end
       if squeezed[kl] ~= 0 then
-        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = floor(kh * 0.5), true, true
+        noteCrush(b, kl)
+        b.crushHigh[kl] = floor(kh * 0.5)
       end
       if squeezed[kh] ~= 0 then
-        b.crushLow[kh], b.crushed[kh], b.hasCrushed = floor(kl * 0.5), true, true
+        noteCrush(b, kh)
+        b.crushLow[kh] = floor(kl * 0.5)
       end
     end
   end
