@@ -25,6 +25,7 @@ local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
 local islands = require(root .. ".sleep.islands")
+local links = require(root .. ".memory.links")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -224,6 +225,17 @@ local function notePressed(b, axis)
   end
 end
 
+-- Notes a hit of those that were parted before the solve.
+local function noteParted(b)
+  local work = b.partWork
+  for n = 1, work.partedCount do
+    local p = links.pairOf(b, work.low[n], work.high[n])
+    if p and not b.passing[p] then
+      impact.note(b, p, work.low[n], work.axis[n], 0.0, 0.0)
+    end
+  end
+end
+
 -- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
 -- void then.
 local function solve(b, dt)
@@ -244,6 +256,7 @@ local function solve(b, dt)
   end
   notePressed(b, 0)
   notePressed(b, 1)
+  noteParted(b)
   if b.slants.count > 0 then
     slant.tell(b)
   end
