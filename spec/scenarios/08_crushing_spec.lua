@@ -327,6 +327,25 @@ it("onCrush: a ball is told once, also if the press stops or turns while it hold
   end
 end)
 
+it("onCrush: who is put elsewhere leaves the same lift by the shortest way, at once", function()
+  local world, isCrushed = physics.newWorld({ gravity = 900 }), false
+  world:add("tiles", small.tile(736, 100, 48, 200))
+  local lift = small.put(640, 208, 48, 12, { kinematic = true, vx = 60 })
+  world:add("lifts", lift)
+  local man = world:add("men", small.put(720, 200, 12, 24, { gravity = 0 }))
+  function man.onCrush()
+    isCrushed = true
+  end
+  while not isCrushed do
+    world:update(1 / 60)
+  end
+  man.x, man.y, man.vx, man.vy, man.gravity = lift.x + 10, 208, 0, 0, 900
+  local x = man.x
+  small.run(world, 3)
+  assert.equal(x, man.x)
+  assert.is_true(man.y >= 220 and man.y < 222)
+end)
+
 it("onCrush: names two objects of the world where only one side of an object is pressed", function()
   local world, told = physics.newWorld({ gravity = 800 }), 0
   local function put(group, x, y, width, height, fields)
