@@ -22,6 +22,7 @@ local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
+local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
 local islands = require(root .. ".sleep.islands")
@@ -40,7 +41,7 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 local solver = {}
 
 local DYNAMIC = constants.DYNAMIC
-local floor, max, min = math.floor, math.max, math.min
+local floor, max = math.floor, math.max
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
 local ROUNDS = 36
@@ -69,7 +70,11 @@ local function begin(b, dt)
   b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
   for n = 1, b.awakeCount do
     local i = list[n]
+    local x, y = b.velocity[2 * i], b.velocity[2 * i + 1]
     changed[n], dirty[i], b.impactsOf[i] = i, b.dirtyStamp, 0
+    if not b.isFree[i] then
+      x, y = forces.limit(b, i, x, y)
+    end
     for k = 2 * i, 2 * i + 1 do
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
@@ -81,7 +86,7 @@ local function begin(b, dt)
       give[k] = not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
-        start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
+        start[k] = (k % 2 == 0 and x or y) + b.carried[k]
         accel[k] = (freeSpeed[k] - start[k]) / dt
       else
         start[k] = speed[k]
