@@ -9,18 +9,18 @@ local BUDGET = {
   { "physics/broadphase", 642 },
   { "physics/contacts", 370 },
   { "physics/fields", 651 },
-  { "physics/maps", 2177 },
+  { "physics/maps", 2186 },
   { "physics/memory", 869 },
   { "physics/motion", 998 },
   { "physics/narrowphase", 551 },
-  { "physics/objects", 1160 },
+  { "physics/objects", 1202 },
   { "physics/overlaps", 916 },
   { "physics/queries", 779 },
   { "physics/sleep", 85 },
   { "physics/solver", 2504 },
   { "physics/space", 427 },
   { "physics/state", 840 },
-  { "physics/world", 1403 },
+  { "physics/world", 1413 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
