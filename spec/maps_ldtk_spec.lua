@@ -93,7 +93,12 @@ describe("world:loadLDtk", function()
     { { solid = false }, nil, "" },
     { { key = null, mask = null }, nil, "Mob 4 0 8 8 sensor static type=Mob" },
     { { drag = "yes", mass = "2" }, nil, "Mob 4 0 8 8 mass=2 type=Mob; " .. DRAG },
-    { { drag = "yes" }, { ignore = { "drag" } }, "Mob 4 0 8 8 sensor static type=Mob" },
+    {
+      { drag = "yes", radius = 4, restitution = 1 },
+      { ignore = { "drag" } },
+      "Mob 4 0 8 8 radius=4 restitution=1 sensor static type=Mob"
+        .. "; ! Entities: drag: left out, by the option ignore",
+    },
     { { x = 3, y = 8 }, nil, "Mob 4 0 8 8 sensor static type=Mob" },
   }) do
     it("reads the fields of an entity, " .. i, function()
