@@ -447,6 +447,22 @@ describe("level:addMap and level:removeMap: a world of several maps", function()
     assert.equal(before, count(world))
   end)
 
+  it("is all levels of a project of LDtk, which come and go, too", function()
+    local project, world = ldtk.cave(), physics.newWorld()
+    project.levels[2].worldX = 832
+    local level = world:loadLDtk(project, nil, { all = true, later = true, x = 100 })
+    assert.same({ 612, -64, 640, 160 }, { level.x, level.y, level.width, level.height })
+    local top, cave = level:addMap("Top"), level:addMap("Cave")
+    assert.same({ 932, 612, "cave" }, { top.x, cave.x, level.maps[1].level.fields.music })
+    assert.same({ "Cave", "Top" }, { level.maps[1].name, level.maps[2].name })
+    assert.equal(#top.objects + #cave.objects, count(world))
+    assert.equal(cave.named.Player, level.byIid["entity-Player"])
+    assert.same({ cave.tileLayers.Collisions, project }, { level.tileLayers.Collisions, level.map })
+    assert.is_true(level:removeMap("Cave"))
+    assert.same({ #top.objects, top.named.Door }, { count(world), level.named.Door })
+    assert.equal(2, #physics.newWorld():loadLDtk(project, nil, { all = true }).maps)
+  end)
+
   it("refuses a map that it does not have, and calls without a colon", function()
     local level = newLevel({ later = true })
     local words = 'name must be a map of the world, got "cave"; they are "course", "meadow"'
