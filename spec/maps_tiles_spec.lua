@@ -169,6 +169,25 @@ describe("world:addTiles", function()
     end
   end)
 
+  it("moves if all of it is kinematic, and is dug and built on where it is", function()
+    local tiles, world = add({ "####", ".##." }, { fields = { kinematic = true, merge = true } })
+    for _, part in ipairs(world.objects.tiles) do
+      part.vx, part.vy = 60, -30
+    end
+    run(world, 60)
+    assert.equal("60 -30 40 10; 70 -20 20 10", boxes(world))
+    assert.same({ 2, 1 }, { tiles:cellAt(75, -25) })
+    assert.is_nil(tiles:cellAt(5, 5))
+    tiles:setTile(2, 1, 0)
+    tiles:setTile(4, 2, "#")
+    run(world, 60)
+    assert.equal("140 -60 20 10; 120 -60 10 10; 130 -50 30 10", boxes(world))
+    world:remove(world.objects.tiles[1])
+    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
+    tiles:unload()
+    assert.same({ 1, 1 }, { tiles:cellAt(5, 5) })
+  end)
+
   -- Returns how many hundreds of instructions a function takes.
   local function costOf(f)
     local jit, count = rawget(_G, "jit"), 0
