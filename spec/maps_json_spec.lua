@@ -178,7 +178,7 @@ describe("world:loadTiled, a world of the editor", function()
   end)
 
   it("says what of a pattern cannot be had", function()
-    small.refuses("only LÖVE can look for its maps", load, { patterns = {} }, { folder = "maps" })
+    small.refuses("only LÖVE can look for its maps", load, { patterns = { { regexp = "a" } } }, { folder = "maps" })
     pretend({ ["a.world"] = [[{ patterns = { { regexp = "(a|b)(\\d)" } } }]] })
     small.refuses("a pattern of the world cannot be read: (a|b)(\\d): list its maps", load, "a.world")
     small.refuses("map.maps must be a table, got nil", load, { type = "world" }, { folder = "a" })
