@@ -35,11 +35,14 @@ function look.color(name, alpha)
   love.graphics.setColor(color[1], color[2], color[3], alpha or 1)
 end
 
-local fonts = {}
+local fonts, sharpness = {}, nil
 
---- Sets the font to a size, and returns it.
+--- Sets the font to a size, and returns it. Its letters are as sharp as the screen.
 function look.font(size)
-  fonts[size] = fonts[size] or love.graphics.newFont(size)
+  if sharpness ~= view.sharpness() then
+    fonts, sharpness = {}, view.sharpness() -- the window has another size
+  end
+  fonts[size] = fonts[size] or love.graphics.newFont(size, "normal", sharpness)
   love.graphics.setFont(fonts[size])
   return fonts[size]
 end

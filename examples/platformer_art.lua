@@ -51,12 +51,12 @@ end
 local function drawHills(depth, base, height, length, color)
   look.color(color)
   local points = { 0, 640 } ---@type number[]
-  for x = 0, 960, 12 do
+  for x = 0, view.gameWidth + 12, 12 do
     local place = (x + camera * depth) / length
     points[#points + 1] = x
     points[#points + 1] = base - love.math.noise(place, depth * 50) * height
   end
-  points[#points + 1], points[#points + 2] = 960, 640
+  points[#points + 1], points[#points + 2] = view.gameWidth + 12, 640
   for i = 3, #points - 4, 2 do
     local x1, y1, x2, y2 = points[i], points[i + 1], points[i + 2], points[i + 3]
     love.graphics.polygon("fill", x1, y1, x2, y2, x2, 640, x1, 640)
@@ -67,16 +67,17 @@ local function drawBackground()
   look.sky("navy", "plum", "orange")
   look.color("white", 0.5)
   for i = 1, 40 do
-    local x = (love.math.noise(i * 3.1) * 1400 - camera * 0.03) % 960
+    local x = (love.math.noise(i * 3.1) * 1400 - camera * 0.03) % view.gameWidth
     love.graphics.circle("fill", x, love.math.noise(i * 7.7) * 260, 0.6 + i % 3 * 0.4)
   end
   -- The sun: many thin discs make a soft glow around a bright one.
+  local sunX = view.gameWidth - 260 - camera * 0.05
   for i = 1, 16 do
     look.color("orange", 0.05)
-    love.graphics.circle("fill", 700 - camera * 0.05, 330, 190 - i * 8)
+    love.graphics.circle("fill", sunX, 330, 190 - i * 8)
   end
   look.color("yellow", 0.9)
-  love.graphics.circle("fill", 700 - camera * 0.05, 330, 58)
+  love.graphics.circle("fill", sunX, 330, 58)
   drawHills(0.15, 520, 230, 190, "plum")
   drawHills(0.3, 580, 200, 150, "navy")
   drawHills(0.5, 640, 190, 120, "night")
@@ -193,7 +194,7 @@ end
 local BEHIND, BEFORE = { "flags", "spikes", "springs" }, { "coins", "crates", "enemies", "players" }
 
 local function drawObjects(groups)
-  local left, right = camera - 100, camera + 1060
+  local left, right = camera - 100, camera + view.gameWidth + 100
   for _, group in ipairs(groups) do
     for _, object in ipairs(world.objects[group]) do
       if object.x < right and object.x + object.width > left then
