@@ -94,6 +94,26 @@ function look.panel(x, y, width, height, radius)
   love.graphics.rectangle("fill", x, y, width, height, radius or 10)
 end
 
+--- Draws what a game says when it is won.
+function look.won(text, top)
+  local x = view.gameWidth / 2 - 190
+  look.panel(x, top, 380, 120)
+  look.color("lime")
+  look.text("You made it!", x, top + 20, 34, 380, "center")
+  look.color("white")
+  look.text(text, x, top + 74, 17, 380, "center")
+end
+
+--- Draws a hint for the player, with its middle at x.
+function look.sign(text, x, y)
+  local _, breaks = text:gsub("\n", "")
+  local width = look.font(15):getWidth(text) + 28
+  look.color("night", 0.55)
+  love.graphics.rectangle("fill", x - width / 2, y - 5, width, 29 + breaks * 18, 8)
+  look.color("white", 0.9)
+  look.text(text, x - width / 2, y, 15, width, "center")
+end
+
 --- Draws a slider with its knob at a share (0..1) of its width.
 function look.slider(x, y, width, share, color)
   look.color("slate")

@@ -206,12 +206,7 @@ end
 
 local function drawSigns()
   for _, sign in ipairs(SIGNS) do
-    local x, y = sign[1] * SIGN_TILE, sign[2] * SIGN_TILE
-    local _, breaks = sign[3]:gsub("\n", "")
-    look.color("night", 0.55)
-    love.graphics.rectangle("fill", x - 105, y - 5, 210, 29 + breaks * 18, 8)
-    look.color("white", 0.9)
-    look.text(sign[3], x - 105, y, 15, 210, "center")
+    look.sign(sign[3], sign[1] * SIGN_TILE, sign[2] * SIGN_TILE)
   end
 end
 

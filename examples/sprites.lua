@@ -1,7 +1,6 @@
 -- What the hilly and the flat level look like alike: the hero, crates, coins, a flag, the status.
 
 local look = require("look")
-local view = require("view")
 
 local sprites = {}
 
@@ -71,14 +70,8 @@ function sprites.status(state, top)
   look.text(("tries %d"):format(state.deaths + 1), 128, 24, 16)
   look.text(("%.1f s"):format(state.wonAt or state.time), 200, 24, 16)
   if state.won then
-    local x = view.gameWidth / 2 - 190
-    look.panel(x, top, 380, 120)
-    look.color("lime")
-    look.text("You made it!", x, top + 20, 34, 380, "center")
-    look.color("white")
     local text = "%d of %d coins in %.1f s"
-    text = text:format(state.coins, state.coinsInLevel, state.wonAt)
-    look.text(text, x, top + 74, 17, 380, "center")
+    look.won(text:format(state.coins, state.coinsInLevel, state.wonAt), top)
   end
 end
 

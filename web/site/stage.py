@@ -83,8 +83,7 @@ EXAMPLE = """\
 
 ## Source {{ data-search-exclude }}
 
-`examples/{name}.lua`. The files that it requires are in the folder
-[examples]({repository}/tree/HEAD/examples).
+`examples/{name}.lua`. It needs beside it, from the folder [examples]({repository}/tree/HEAD/examples): {beside}.
 
 <div data-no-try markdown>
 
@@ -103,6 +102,9 @@ GALLERY = """\
 # Examples
 
 Each one runs in its page, in your browser. `make demo` opens them in LÖVE.
+
+To start a game of your own, copy a step of [Platformers](../platformers.md) or [Top-down games](../topdown.md): each is a
+whole program. An example needs the files that its page names with its source.
 
 <div class="gallery">
 {cards}
@@ -371,6 +373,12 @@ def keys_of(name):
     return ",".join([*arrows, *others.values()]) or fail(f"examples/{name}.lua has no keys")
 
 
+def beside(name):
+    """The files that an example needs, as examples/README.md names them."""
+    row = re.search(rf"^\| \[{name}\.lua\].*\| (.*) \|$", read("examples/README.md"), re.MULTILINE)
+    return row[1] if row else fail(f"examples/README.md has no row of {name}.lua")
+
+
 def lessons():
     """The pages of the tutorial, to be read below it: on a phone its letters are small."""
     text = ["", "## The ten pages"]
@@ -400,7 +408,7 @@ def write_examples(write):
         if not (ROOT / f"docs/pictures/{name}.png").exists():
             fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
         source = read(f"examples/{name}.lua").rstrip()
-        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "repository": REPOSITORY}
+        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "beside": beside(name), "repository": REPOSITORY}
         comment = head_comment(source) + (lessons() if name == "tutorial" else "")
         write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
         cards.append(CARD.format(**values))
