@@ -360,7 +360,8 @@ function default.dropThrough(object) end
 ---     "bounce"   goes on mirrored
 ---
 --- The response may be a function(object, other) that returns one of these names for each hit, nil
---- for "slide", or false to ignore `other`. The move ends after 64 hits.
+--- for "slide", or false to ignore `other`. Of several that stop the object at once, the one with
+--- the longest common edge comes first, and decides. The move ends after 64 hits.
 ---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
@@ -568,19 +569,39 @@ function default.nearest(x, y, radius, filter) end
 ---@return physics.Object? other what is in the way, the first in the order of the world
 function default.fits(x, y, width, height, filter) end
 
---- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
---- many.
+--- Returns the nearest place, at most `reach` px away, where a box of that size would be free: to
+--- spawn, to respawn, to stand up. What is in the way is that of `fits`. Of places at the same
+--- distance it is the one less far aside, then the upper one, then the left one. Beside slopes and
+--- round objects there may be a nearer one.
 ---
---- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
+--- Errors: a number is not finite; a size is <= 0; the reach is < 0; the filter cannot be used, or
+--- is an object that is not in the world.
+---@param x number px, left edge where it should be
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param reach number px, >= 0: how far it looks
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
+---@return number? x px, left edge; nil: there is no free place
+---@return number? y px, top edge
+function default.freePlace(x, y, width, height, reach, filter) end
+
+--- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
+--- many. Into `hits` it writes where: each entry has the fields `x, y, nx, ny, fraction` of what
+--- `raycast` returns.
+---
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` or `hits` is not a
+--- table.
 ---@param x1 number px
 ---@param y1 number px
 ---@param x2 number px
 ---@param y2 number px
 ---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
+---@param hits physics.RayHit[]? list to fill with the places, in the same order
 ---@return physics.Object[] objects nearest first, ties in the order of the world
 ---@return integer count
-function default.querySegment(x1, y1, x2, y2, filter, out) end
+function default.querySegment(x1, y1, x2, y2, filter, out, hits) end
 
 --- Returns the first object on the line from (x1, y1) to (x2, y2), and where the line hits it.
 ---
@@ -588,7 +609,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
 ---     ends on an edge             hits at fraction 1
 ---     runs along an edge          hits the object below it or to its right
----     grazes a corner             no hit
+---     grazes a corner             no hit, but of two that touch there: hits the first of them
+---     meets a one-way object      hits it only from its solid side, as bodies do
 ---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/gridLines.lua).
@@ -627,6 +649,43 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
+
+--- Returns what would stop a free box on its way by (dx, dy), as `sweep` does for an object, and
+--- where the box would be then. It meets all that is solid, and one-way objects on their solid side.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param dx number px
+---@param dy number px
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? other nil: the way is free, and nothing else is returned
+---@return number x px, left edge of the box then
+---@return number y px, top edge
+---@return number nx normal where it is hit, of length 1; 0, 0: it begins in `other`
+---@return number ny likewise
+---@return number fraction of the way, 0..1
+function default.cast(x, y, width, height, dx, dy, filter) end
+
+--- Returns what would stop a free circle on its way by (dx, dy), and where its centre would be then.
+--- See `cast`.
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param dx number px
+---@param dy number px
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? other nil: the way is free, and nothing else is returned
+---@return number x px, the centre then
+---@return number y px
+---@return number nx normal where it is hit, of length 1; 0, 0: it begins in `other`
+---@return number ny likewise
+---@return number fraction of the way, 0..1
+function default.castCircle(x, y, radius, dx, dy, filter) end
 
 --- Returns all objects that overlap an object, and how many. Removing objects
 --- while you loop over the list is safe.
