@@ -571,8 +571,8 @@ function default.fits(x, y, width, height, filter) end
 
 --- Returns the nearest place, at most `reach` px away, where a box of that size would be free: to
 --- spawn, to respawn, to stand up. What is in the way is that of `fits`. Of places at the same
---- distance it is the one less far aside, then the upper one, then the left one. Beside slopes and
---- round objects there may be a nearer one.
+--- distance it is one straight above or below, if there is one. Beside slopes and round objects there
+--- may be a nearer one.
 ---
 --- Errors: a number is not finite; a size is <= 0; the reach is < 0; the filter cannot be used, or
 --- is an object that is not in the world.
@@ -587,21 +587,20 @@ function default.fits(x, y, width, height, filter) end
 function default.freePlace(x, y, width, height, reach, filter) end
 
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
---- many. Into `hits` it writes where: each entry has the fields `x, y, nx, ny, fraction` of what
---- `raycast` returns.
+--- many. With `fractions` it says where: the line hits `objects[n]` at `x1 + (x2 - x1) * fractions[n]`.
 ---
---- Errors: a coordinate is not a finite number; the filter cannot be used; `out` or `hits` is not a
---- table.
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` or `fractions` is
+--- not a table.
 ---@param x1 number px
 ---@param y1 number px
 ---@param x2 number px
 ---@param y2 number px
 ---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
----@param hits physics.RayHit[]? list to fill with the places, in the same order
+---@param fractions number[]? list to fill with the places, as fractions of the line, 0..1
 ---@return physics.Object[] objects nearest first, ties in the order of the world
 ---@return integer count
-function default.querySegment(x1, y1, x2, y2, filter, out, hits) end
+function default.querySegment(x1, y1, x2, y2, filter, out, fractions) end
 
 --- Returns the first object on the line from (x1, y1) to (x2, y2), and where the line hits it.
 ---

@@ -162,10 +162,10 @@ print(count) --> 2
 ]]
 
 examples["world:querySegment"] = [[
-local hits = {}
-local list, count = world:querySegment(50, 0, 50, 500, nil, nil, hits)
+local fractions = {}
+local list, count = world:querySegment(50, 0, 50, 500, nil, nil, fractions)
 print(count, list[1] == player, list[2] == floor) --> 2 true true
-print(hits[1].y, hits[2].y) --> 368 400
+print(fractions[1] * 500, fractions[2] * 500) --> 368 400
 ]]
 
 examples["world:raycast"] = [[
