@@ -147,7 +147,7 @@ end
 -- nothing was swept yet, so that pairs may be added.
 local function pressRound(b, dt, isFirst)
   for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
-    local hasNew = isFirst and (n > 1 or not slant.hasWall(b)) and slant.find(b)
+    local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or slant.isViolated(b) then
       slant.press(b)
       settleLate(b, dt, false)
