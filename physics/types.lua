@@ -570,10 +570,9 @@ function default.nearest(x, y, radius, filter) end
 ---@return physics.Object? other what is in the way, the first in the order of the world
 function default.fits(x, y, width, height, filter) end
 
---- Returns the nearest place, at most `reach` px away, where a box of that size would be free: to
---- spawn, to respawn, to stand up. What is in the way is that of `fits`. Of places at the same
---- distance it is one straight above or below, if there is one. Beside slopes and round objects there
---- may be a nearer one.
+--- Returns the nearest place, at most `reach` px away, where a box would be free, as `fits` says: to
+--- spawn, to stand up. Of two as near, one straight above or below comes first. Beside slopes and
+--- round objects there may be a nearer one.
 ---
 --- Errors: a number is not finite; a size is <= 0; the reach is < 0; the filter cannot be used, or
 --- is an object that is not in the world.
@@ -581,9 +580,9 @@ function default.fits(x, y, width, height, filter) end
 ---@param y number px, top edge
 ---@param width number px, > 0
 ---@param height number px, > 0
----@param reach number px, >= 0: how far it looks
----@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
----@return number? x px, left edge; nil: there is no free place
+---@param reach number px, >= 0
+---@param filter physics.Filter|physics.NewObject|nil as that of `fits`
+---@return number? x px, left edge; nil: there is none
 ---@return number? y px, top edge
 function default.freePlace(x, y, width, height, reach, filter) end
 
@@ -650,8 +649,7 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
 
---- Returns what would stop a free box on its way by (dx, dy), as `sweep` does for an object, and
---- where the box would be then. It meets all that is solid, and one-way objects on their solid side.
+--- Returns what would stop a free box on its way by (dx, dy), as `sweep` does for an object.
 ---
 --- Errors: a number is not finite; a size is <= 0; the filter cannot be used.
 ---@param x number px, left edge
@@ -661,16 +659,15 @@ function default.sweep(object, dx, dy, filter) end
 ---@param dx number px
 ---@param dy number px
 ---@param filter physics.Filter? which objects count, default all
----@return physics.Object? other nil: the way is free, and nothing else is returned
+---@return physics.Object? other nil: the way is free
 ---@return number x px, left edge of the box then
 ---@return number y px, top edge
----@return number nx normal where it is hit, of length 1; 0, 0: it begins in `other`
+---@return number nx normal, of length 1
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function default.cast(x, y, width, height, dx, dy, filter) end
 
---- Returns what would stop a free circle on its way by (dx, dy), and where its centre would be then.
---- See `cast`.
+--- Returns what would stop a free circle on its way by (dx, dy).
 ---
 --- Errors: a number is not finite; the radius is <= 0; the filter cannot be used.
 ---@param x number px, the centre
@@ -679,10 +676,10 @@ function default.cast(x, y, width, height, dx, dy, filter) end
 ---@param dx number px
 ---@param dy number px
 ---@param filter physics.Filter? which objects count, default all
----@return physics.Object? other nil: the way is free, and nothing else is returned
+---@return physics.Object? other nil: the way is free
 ---@return number x px, the centre then
 ---@return number y px
----@return number nx normal where it is hit, of length 1; 0, 0: it begins in `other`
+---@return number nx normal, of length 1
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function default.castCircle(x, y, radius, dx, dy, filter) end

@@ -192,10 +192,7 @@ print(ground == floor, x, y) --> true 60 390
 ]]
 
 examples["world:freePlace"] = [[
-local crate = { x = 35, y = 380, width = 24, height = 24 } -- in the player and the floor
-crate.x, crate.y = world:freePlace(crate.x, crate.y, 24, 24, 100)
-world:add("crates", crate)
-print(crate.x, crate.y) --> 16 376
+print(world:freePlace(35, 380, 24, 24, 100)) --> 16 376
 ]]
 
 examples["world:fits"] = [[
