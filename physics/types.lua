@@ -570,9 +570,9 @@ function default.nearest(x, y, radius, filter) end
 ---@return physics.Object? other what is in the way, the first in the order of the world
 function default.fits(x, y, width, height, filter) end
 
---- Returns the nearest place, at most `reach` px away, where a box would be free, as `fits` says: to
---- spawn, to stand up. Of two as near, one straight above or below comes first. Beside slopes and
---- round objects there may be a nearer one.
+--- Returns the nearest place, at most `reach` px away, where a box would be free, as `fits` says:
+--- to spawn, to stand up. Of two as near, one straight above or below comes first. Beside slopes
+--- and round objects there may be a nearer one.
 ---
 --- Errors: a number is not finite; a size is <= 0; the reach is < 0; the filter cannot be used, or
 --- is an object that is not in the world.
@@ -587,7 +587,7 @@ function default.fits(x, y, width, height, filter) end
 function default.freePlace(x, y, width, height, reach, filter) end
 
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
---- many. With `fractions` it says where: the line hits `objects[n]` at `x1 + (x2 - x1) * fractions[n]`.
+--- many. With `fractions` it says where: `objects[n]` is hit at `x1 + (x2 - x1) * fractions[n]`.
 ---
 --- Errors: a coordinate is not a finite number; the filter cannot be used; `out` or `fractions` is
 --- not a table.

@@ -330,9 +330,12 @@ describe("querySegment: fractions", function()
       local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
       assert.equal(count, #fractions)
       for n = 1, count do
-        local fraction = select(6, world:raycast(-10, 12, 90, 17, function(object)
-          return object == list[n]
-        end))
+        local fraction = select(
+          6,
+          world:raycast(-10, 12, 90, 17, function(object)
+            return object == list[n]
+          end)
+        )
         assert.near(fraction, fractions[n], 1e-15)
       end
     end
@@ -359,7 +362,7 @@ describe("cast and castCircle", function()
         random:between(4, 20), random:between(-300, 300), random:between(-300, 300)
       local me = world:add("me", sized(100, 100, size, size))
       me.radius = seed % 2 == 0 and size / 2 or nil
-      local expected, found = { world:sweep(me, dx, dy) }, nil
+      local expected, found = { world:sweep(me, dx, dy) }
       if me.radius then
         local r = me.radius
         found = { world:castCircle(100 + r, 100 + r, r, dx, dy, "walls") }
@@ -420,7 +423,10 @@ describe("freePlace", function()
     { "where it is", { tile(0, 100, 99, 20), CLOUD, WATER }, { 0, 90 }, { 0, 90 } },
     { "on the floor", { tile(0, 100, 99, 20) }, { 40, 93 }, { 40, 90 } },
     { "above, of two as near", { tile(40, 40, 10, 10) }, { 40, 40 }, { 40, 30 } },
-    { "on the left, of two as near", { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) } },
+    {
+      "on the left, of two as near",
+      { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) },
+    },
     { "in a corner", { tile(0, 50, 99, 9), tile(50, 0, 9, 99) }, { 44, 45 }, { 40, 40 } },
     { "on a slope", { tile(0, 0, 100, 100, { slope = "left" }) }, { 50, 45 }, { 52.5, 42.5 } },
     { "beside a ball", { tile(0, 0, 40, 40, { radius = 20 }) }, { 15, -5 }, { 15, -10 } },
@@ -449,10 +455,10 @@ describe("freePlace", function()
     local world = still()
     world:add("crates", box(0, 0))
     world:add("others", box(4, 0, { mask = { men = false } }))
-    local man = world:add("men", box(2, 0))
+    local asker = world:add("men", box(2, 0))
     assert.same({ 2, -16 }, { world:freePlace(2, 0, 16, 16, 99) })
     assert.same({ 2, 0 }, { world:freePlace(2, 0, 16, 16, 99, "lamps") })
-    assert.same({ 16, 1 }, { world:freePlace(2, 1, 16, 16, 99, man) })
+    assert.same({ 16, 1 }, { world:freePlace(2, 1, 16, 16, 99, asker) })
     assert.same({ 2, 1 }, {
       world:freePlace(2, 1, 16, 16, 99, function()
         return false
