@@ -87,6 +87,7 @@ build = {
     ["physics.sleep.islands"] = "physics/sleep/islands.lua",
     ["physics.solver.ball"] = "physics/solver/ball.lua",
     ["physics.solver.bonds"] = "physics/solver/bonds.lua",
+    ["physics.solver.clip"] = "physics/solver/clip.lua",
     ["physics.solver.contacts"] = "physics/solver/contacts.lua",
     ["physics.solver.crowd"] = "physics/solver/crowd.lua",
     ["physics.solver.flow"] = "physics/solver/flow.lua",

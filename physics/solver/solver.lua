@@ -16,6 +16,7 @@
 -- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local clip = require(root .. ".memory.lazy")(root .. ".solver.clip")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
@@ -135,6 +136,7 @@ end
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
+  b.blockedCount = 0
   begin(b, dt)
   flow.begin(b)
   pairFinder.listLive(b)
@@ -199,6 +201,9 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
+  if b.walks then
+    clip.run(b, dt)
+  end
   if hasChanged or b.hasRound then
     relax.run(b, dt, hasChanged)
   end
