@@ -241,12 +241,15 @@ def add_words(markdown, page):
     return "\n".join(lines), found
 
 
-FIELDS = re.compile(r"^\| name \| value \| default \| meaning \|\n(?:\|.*\n)+", re.MULTILINE)
+CARDS = {"fields": "name | value | default | meaning", "engines": "scene | counts | physics.lua"}
 
 
-def mark_fields(markdown):
-    """Marks the tables of fields, whose rows become cards on a phone."""
-    return FIELDS.sub(lambda table: f'<div class="fields" markdown>\n\n{table[0]}\n</div>\n', markdown)
+def mark_tables(markdown):
+    """Marks the tables that a phone is too narrow for: their rows become cards there."""
+    for name, titles in CARDS.items():
+        table = re.compile(rf"^\| {re.escape(titles)} \|.*\n(?:\|.*\n)+", re.MULTILINE)
+        markdown = table.sub(lambda found: f'<div class="cards {name}" markdown>\n\n{found[0]}\n</div>\n', markdown)
+    return markdown
 
 
 def describe(markdown):
@@ -470,7 +473,7 @@ def main():
     def write(name, text):
         pages.append(name)
         (target / "docs" / name).parent.mkdir(parents=True, exist_ok=True)
-        text, found = add_words(mark_fields(text), name)
+        text, found = add_words(mark_tables(text), name)
         words.extend(found)
         (target / "docs" / name).write_text(head(name, text) + text, encoding="utf-8")
 

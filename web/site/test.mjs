@@ -249,6 +249,15 @@ async function checkFields() {
     await close();
     return `${boxes.length} fields`;
   });
+  await check("on a phone the page Compare shows the numbers of all engines", async () => {
+    const { page, close } = await open("/compare/", PHONE);
+    const cells = page.locator(".engines td");
+    const boxes = await cells.evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+    assert(boxes.length > 40 && boxes.every(({ left, right }) => left >= 0 && right <= PHONE.viewport.width), boxes.length);
+    await cells.first().scrollIntoViewIfNeeded();
+    await page.screenshot({ path: join(PICTURES, "compare-phone.png") });
+    await close();
+  });
 }
 
 async function checkLost() {
