@@ -17,17 +17,16 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
-local EPSILON = columns.EPSILON
+local EPSILON = constants.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
--- stick.
+-- Number of attempts in which bonds may break, and of all attempts (see bonds.lua).
 local TEARS, ATTEMPTS = 2, 4
 -- px by which what is squeezed may overlap what bears it, and still rub on it.
 local SQUEEZED = 0.01
@@ -180,6 +179,7 @@ function friction.run(b, axis, dt)
   if b.pulledCount == 0 and held.count == 0 then
     return false
   end
+  local isGlued = false
   for attempt = 1, ATTEMPTS do
     for c = 1, rubbed.count do -- notes of an earlier attempt may be wrong now
       b.pressed[rubbed.pair[c]] = 0
@@ -187,12 +187,15 @@ function friction.run(b, axis, dt)
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
     settle.hold(b, other, dt)
-    local isGlued = bonds.glue(b, held, dt)
+    isGlued = bonds.glue(b, held, dt)
     settle.finish(b, other, dt, isGlued, false)
     local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end
+  end
+  if isGlued then
+    settle.hold(b, other, dt) -- friction alone holds nothing against a hit
   end
   return true
 end

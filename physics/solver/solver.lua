@@ -6,7 +6,7 @@
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
--- 4. Limit the motion of overlapping bodies (`relax`), let bodies go down with the ground
+-- 4. Limit the motion of overlapping bodies (`bounds`), let bodies go down with the ground
 --    (`snap`), note what is pressed and what is crushed (`notePressed`).
 --
 -- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
@@ -16,19 +16,23 @@
 -- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local bounds = require(root .. ".memory.lazy")(root .. ".solver.bounds")
+local clip = require(root .. ".memory.lazy")(root .. ".solver.clip")
+local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
+local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
+local islands = require(root .. ".sleep.islands")
+local links = require(root .. ".memory.links")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
-local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
-local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
+local slant = require(root .. ".memory.lazy")(root .. ".solver.slant")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sweep = require(root .. ".solver.sweep")
@@ -36,8 +40,8 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local solver = {}
 
-local DYNAMIC = columns.DYNAMIC
-local floor, max, min = math.floor, math.max, math.min
+local DYNAMIC = constants.DYNAMIC
+local floor, max = math.floor, math.max
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
 local ROUNDS = 36
@@ -47,11 +51,14 @@ local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
+-- How often slanted contacts are solved before the first round.
+local PRESSES = 3
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.impacts = sweep.newImpacts()
+  b.slants = { count = 0 }
 end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
@@ -63,19 +70,23 @@ local function begin(b, dt)
   b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
   for n = 1, b.awakeCount do
     local i = list[n]
+    local x, y = b.velocity[2 * i], b.velocity[2 * i + 1]
     changed[n], dirty[i], b.impactsOf[i] = i, b.dirtyStamp, 0
+    if not b.isFree[i] then
+      x, y = forces.limit(b, i, x, y)
+    end
     for k = 2 * i, 2 * i + 1 do
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
       elseif b.crowd[2 * i] > 0 and speed[k] * b.down[k] > 0 then -- a crowd does not fall
-        b.way[k] = 0.0
+        b.displacement[k] = 0.0
         path.finish(b, k, from[k], b.carried[k], 0.0)
       end
       origin[k] = from[k]
       give[k] = not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
-        start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
+        start[k] = (k % 2 == 0 and x or y) + b.carried[k]
         accel[k] = (freeSpeed[k] - start[k]) / dt
       else
         start[k] = speed[k]
@@ -132,6 +143,20 @@ local function settleLate(b, dt, isFirst)
   end
 end
 
+-- Solves the slanted contacts of round bodies, and settles again what that has pushed. `isFirst`:
+-- nothing was swept yet, so that pairs may be added.
+local function pressRound(b, dt, isFirst)
+  for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
+    local hasNew = isFirst and slant.find(b, n == 1)
+    if hasNew or slant.isViolated(b) then
+      slant.press(b)
+      settleLate(b, dt, false)
+    elseif n > 1 then
+      return
+    end
+  end
+end
+
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
@@ -146,6 +171,7 @@ local function prepare(b, dt)
     nudgeTouching(b, dt)
   end
   settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
+  pressRound(b, dt, true)
 end
 
 -- Makes the rounds, until bodies are woken. Returns whether bodies may have left the ground since
@@ -161,8 +187,17 @@ local function runRounds(b, dt, awakenings)
       walk.run(b, dt, false)
     end
     settleLate(b, dt, false)
+    pressRound(b, dt, false)
   end
   return b.overlapCount > 0 or b.isTight
+end
+
+-- Notes that body k is crushed: between those that hold it, unless its neighbours press it.
+local function noteCrush(b, k)
+  if not b.crushed[k] then
+    b.crushed[k], b.hasCrushed = true, true
+    b.crushLow[k], b.crushHigh[k] = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
+  end
 end
 
 -- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits
@@ -184,11 +219,24 @@ local function notePressed(b, axis)
         impact.note(b, p, floor(kl * 0.5), axis, max(b.start[kl] - b.start[kh], 0.0), 0)
       end
       if squeezed[kl] ~= 0 then
-        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = floor(kh * 0.5), true, true
+        noteCrush(b, kl)
+        b.crushHigh[kl] = floor(kh * 0.5)
       end
       if squeezed[kh] ~= 0 then
-        b.crushLow[kh], b.crushed[kh], b.hasCrushed = floor(kl * 0.5), true, true
+        noteCrush(b, kh)
+        b.crushLow[kh] = floor(kl * 0.5)
       end
+    end
+  end
+end
+
+-- Notes a hit of those that were parted before the solve.
+local function noteParted(b)
+  local work = b.partWork
+  for n = 1, work.partedCount do
+    local p = links.pairOf(b, work.low[n], work.high[n])
+    if p and not b.passing[p] then
+      impact.note(b, p, work.low[n], work.axis[n], 0.0, 0.0)
     end
   end
 end
@@ -199,8 +247,11 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
+  if b.walks then
+    clip.run(b, dt)
+  end
   if hasChanged or b.hasRound then
-    relax.run(b, dt, hasChanged)
+    bounds.run(b, dt, hasChanged)
   end
   if b.hasSnaps then
     snap.run(b)
@@ -210,6 +261,10 @@ local function solve(b, dt)
   end
   notePressed(b, 0)
   notePressed(b, 1)
+  noteParted(b)
+  if b.slants.count > 0 then
+    slant.tell(b)
+  end
   return true
 end
 
