@@ -48,7 +48,8 @@ MENU = [
 ]
 DEVELOPERS = MENU[-1][1][-1][1]
 
-# What readers search, and the section does not call so. Each is a result of the search of its own.
+# What readers search, and the section does not call so. Each is a result of the search of its own. A section
+# is the first one with an anchor that begins so; the words of a page without "#" are those of all of it.
 WORDS = {
     "faq.md": ["Ragdoll", "Joint", "Hinge", "Rope", "Chain"],
     "faq.md#why-does-my-player-stick-to-walls": ["Stuck", "Stick", "Cling"],
@@ -61,7 +62,7 @@ WORDS = {
     "guide/steps.md": ["Delta time", "deltaTime", "Slow motion", "Bullet time"],
     "index.md#install": ["License", "Licence", "Mobile", "Android", "iOS", "Web", "Browser", "HTML5"],
     "platformers.md#slopes": ["Steep slope", "Max slope angle", "floor_max_angle"],
-    "platformers.md#step-5-coyote-time": ["Jump buffer", "Buffered jump"],
+    "platformers.md#step-5": ["Jump buffer", "Buffered jump"],
     "recipes.md#camera": ["Scaling", "Scale", "Resolution", "Fullscreen", "Pixel perfect", "Screen shake"],
     "recipes.md#knock-back": ["Knockback", "Hitstun", "Stun"],
     "recipes.md#portals": ["Wrap", "Screen wrap", "Wrap around"],
@@ -231,7 +232,9 @@ def add_words(markdown, page):
     lines, found = [], []
     for line, is_code in split_code(markdown):
         heading = not is_code and re.match(r"(#+ )(.*)", line)
-        for word in wanted.pop(slug(heading[2]) if heading[1] != "# " else "", []) if heading else []:
+        title = slug(heading[2]) if heading and heading[1] != "# " else ""
+        place = next((place for place in wanted if heading and (title.startswith(place) if place else not title)), None)
+        for word in wanted.pop(place, []):
             anchor = f"search-{slug(word)}"
             line = line.replace(heading[1], f'{heading[1]}<a id="{anchor}"></a>', 1)
             found.append((f"{re.sub('(^|/)index$', '', page[:-3]) + '/'}#{anchor}".lstrip("/"), word))
