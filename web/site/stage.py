@@ -32,7 +32,7 @@ MENU = [
     ("Start", ["index.md"]),
     ("Guide", [
         "guide/index.md",
-        ("Learn", ["platformers.md", "topdown.md", "recipes.md"]),
+        ("Learn", ["recipes.md", "platformers.md", "topdown.md"]),
         ("Ideas", ["guide/*", "events.md", "state.md"]),
         ("Around it", ["maps.md", "guide/files.md", "guide/sprites.md", "guide/input.md", "guide/debugging.md"]),
     ]),
@@ -42,7 +42,8 @@ MENU = [
         "api.md", "api/fields.md", "api/settings.md", "api/world.md", "api/queries.md", "api/maps.md", "api/types.md",
     ]),
     ("More", [
-        "compare.md", "faq.md", "coming-from.md", "glossary.md", "performance.md", "reliability.md", "size.md",
+        "compare.md", "faq.md", "where-it-runs.md", "coming-from.md", "glossary.md", "performance.md", "reliability.md",
+        "size.md",
         ("For developers", ["architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md"]),
     ]),
 ]
