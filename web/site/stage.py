@@ -11,6 +11,7 @@ import re
 import shutil
 import sys
 from pathlib import Path
+from urllib.parse import quote
 
 ROOT = Path(__file__).resolve().parents[2]
 REPOSITORY = "https://github.com/physics-lua/physics.lua"
@@ -79,7 +80,7 @@ EXAMPLE = """\
 <div class="example" data-example="{name}" data-keys="{keys}">
 <button type="button"><img src="../../pictures/{name}.png" alt="{title}"><span>▶ Play</span></button>
 </div>
-<p class="try-links"><a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a></p>
+<p class="try-links"><a href="../../play/?example={name}&amp;keys={quoted}" target="_blank">Open it in a window of its own</a></p>
 
 {comment}
 
@@ -415,7 +416,7 @@ def write_examples(write):
         if not (ROOT / f"docs/pictures/{name}.png").exists():
             fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
         source = read(f"examples/{name}.lua").rstrip()
-        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "beside": beside(name), "repository": REPOSITORY}
+        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "quoted": quote(keys_of(name)), "beside": beside(name), "repository": REPOSITORY}
         comment = head_comment(source) + (lessons() if name == "tutorial" else "")
         write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
         cards.append(CARD.format(**values))

@@ -469,6 +469,19 @@ async function checkExamples() {
   });
   // All are started by web/test.mjs, which plays them.
   await checkExample(names[0]);
+  await check("on a phone an example has the buttons that it needs, in its page and in a window of its own", async () => {
+    const told = await open("/examples/platformer/?say&example=platformer", SHARP_PHONE);
+    await line(told, /^example platformer started$/);
+    const inside = await told.page.frameLocator("iframe").locator("#pad button").allInnerTexts();
+    const address = await told.page.getByRole("link", { name: "window of its own" }).getAttribute("href");
+    await told.page.goto(new URL(`${address}&say`, told.page.url()).href);
+    await line(told, /^example platformer started$/, told.lines.length);
+    const alone = await told.page.locator("#pad button").allInnerTexts();
+    await told.page.screenshot({ path: join(PICTURES, "example-phone.png") });
+    await told.close();
+    quiet(told);
+    assert(inside.join() === "←,→,jump" && alone.join() === "←,→,jump", `${inside}; ${alone}`);
+  });
   await check("an address with ?example=lifts starts it", async () => {
     const told = await open("/examples/lifts/?say&example=lifts", DESKTOP);
     await line(told, /^example lifts started$/);
