@@ -84,6 +84,12 @@ fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1, BOUNDS=al
 	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going \
 	  $(if $(BOUNDS),--bounds $(BOUNDS))
 
+.PHONY: same
+same: ## plays small scenes and random games beside those of a commit, to the last bit: BASE=COMMIT
+	@rm -rf build/same && mkdir -p build/same
+	@git archive $(or $(BASE),HEAD) physics.lua physics | tar -x -C build/same
+	@diff <(luajit scripts/same.lua build/same) <(luajit scripts/same.lua .) && echo "All is the same."
+
 .PHONY: games
 games: setup ## plays random games of six kinds and looks for what a player would notice: GAMES=100, SEED=1
 	@luajit scripts/fuzz.lua --game all --games $(or $(GAMES),100) --seed $(or $(SEED),1)
