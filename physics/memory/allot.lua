@@ -18,8 +18,6 @@ local allot = {}
 local floor, max, min, remove = math.floor, math.max, math.min, table.remove
 ---@type any, any
 local EVERY, BODY = layout.EVERY, layout.BODY
---- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
-allot.GROUP_SPAN = 4294967296
 -- Slots are prepared ahead: for what is coming, and one for each so many that are in use.
 local AHEAD = 8
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
@@ -168,11 +166,13 @@ local function moveNoted(b, linkCount)
   renameIn(movedTo, b.linkOther, linkCount)
   renameIn(movedTo, b.movedList, b.movedCount)
   renameIn(movedTo, b.entered, b.enteredCount)
+  renameIn(movedTo, b.registry.gone, b.registry.goneCount)
   renameIn(movedTo, b.zoneList, #b.zoneList)
   renameIn(movedTo, b.restored, #b.restored)
   for n = 1, b.leftCount do
     local i, j = left[n], movedTo[left[n]]
-    b.slotOf[b.object[j]], b.group[j].slots[b.rank[j] % allot.GROUP_SPAN] = j, j
+    local slots = b.group[j] and b.group[j].slots or {} -- (what has gone is in none)
+    b.slotOf[b.object[j]], slots[b.seat[j]] = j, j
     if b.placed[j] ~= 0 then
       b.broadphase:remove(i)
       b.broadphase:insert(j)

@@ -15,6 +15,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
+local huge = math.huge
 local FEW = 64 -- groups up to this size are counted each time
 
 -- Returns a record of a group of which nothing is known yet.
@@ -30,7 +31,8 @@ local function newRecord(name, source)
     count = 0,
     -- `first`: the place from which on it has changed; count + 1: it has not. `newKeys` and
     -- `newCount`: what it holds now (see compareAll).
-    found = {}, -- the slots of that, from `first` on
+    found = {}, -- the slots of that, from `first` on; then the ranks of new ones
+    looked = huge, -- the first place that a query has taken over since the last update
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     isPlain = true, -- none of its objects has a metatable
@@ -170,11 +172,15 @@ function groups.read(self, objects)
 end
 
 --- Compares the groups with what was read last. Returns whether anything has changed. (A group with
---- another place gets other ranks, so all of it is read.)
-function groups.compareAll(records)
+--- another place gets other ranks, so all of it is read.) An update, which is no look, also reads
+--- what looks have taken over.
+function groups.compareAll(records, isLook)
   local isAny = false
   for index, record in ipairs(records) do
     local change = record.index ~= index and 1 or groups.firstChange(record)
+    if not isLook and record.looked < (change or huge) then
+      change = record.looked
+    end
     record.first, record.newKeys, record.newCount = record.count + 1, record.keys, record.count
     if change then
       readKeys(record, change)
