@@ -94,7 +94,7 @@ same: ## plays small scenes and random games beside those of a commit, to the la
 games: setup ## plays random games of six kinds and looks for what a player would notice: GAMES=100, SEED=1
 	@luajit scripts/fuzz.lua --game all --games $(or $(GAMES),100) --seed $(or $(SEED),1)
 
-.PHONY: bench bench-quick bench-docs bench-size
+.PHONY: bench bench-quick bench-docs bench-size bench-ordinary
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
 	@bash scripts/bench.sh $(BENCH)
 
@@ -103,6 +103,9 @@ bench-quick: setup ## looks whether the benchmark runs, without looking at times
 
 bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="--only spot --both"
 	@luajit bench/worst.lua $(WORST)
+
+bench-ordinary: setup ## times 43 ordinary calls beside those of a commit: BASE=COMMIT
+	@luajit bench/ordinary.lua $(or $(BASE),HEAD)
 
 bench-size: setup ## measures size, time of require and memory; BENCH="--path DIR" to find bump.lua
 	@luajit bench/size.lua $(BENCH)
