@@ -1,4 +1,4 @@
---- Plays the scenes of bench/ at a small size, and random games, with the library in a folder. After
+--- Plays the scenes of bench/ at a small size, and random games, with the library in FOLDER. After
 --- each ten frames it prints a sum of where everything is, to the last bit, and of what the games
 --- were told. (`make same BASE=COMMIT` compares these lines with those of a commit.)
 ---
