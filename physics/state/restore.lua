@@ -116,8 +116,8 @@ local function listSome(st, objects)
   return some
 end
 
--- Writes a field of all objects, or of those in `some`. Those that had left the world get the fields
--- that they had.
+-- Writes a field of all objects, or of those in `some`. What had left the world gets the fields that
+-- it had.
 local function writeField(st, objects, row, some)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
   local isDense = format.isDense(row)
