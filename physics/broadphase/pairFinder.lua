@@ -130,7 +130,7 @@ local function enlarge(b, strays, count, margin)
   for m = 1, count do
     local i = strays[m]
     local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST
-    local steps = AHEAD * (0.8 + i % 9 * 0.05) -- so that not all leave them at once
+    local steps = AHEAD * (0.6 + i % 11 * 0.08) -- so that not all leave them at once
     fatten(b, 2 * i, farthest, margin, steps)
     fatten(b, 2 * i + 1, farthest, margin, steps)
     if placed[i] == 0 then
