@@ -88,7 +88,9 @@ fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1, BOUNDS=al
 same: ## plays small scenes and random games beside those of a commit, to the last bit: BASE=COMMIT
 	@rm -rf build/same && mkdir -p build/same
 	@git archive $(or $(BASE),HEAD) physics.lua physics | tar -x -C build/same
-	@diff <(luajit scripts/same.lua build/same) <(luajit scripts/same.lua .) && echo "All is the same."
+	@diff <(luajit scripts/same.lua build/same) <(luajit scripts/same.lua .) >build/same.txt \
+	  && echo "All is the same." \
+	  || { sed -n 's/^[<>] \(.*\), frame.*/differs: \1/p' build/same.txt | sort -u; exit 1; }
 
 .PHONY: games
 games: setup ## plays random games of six kinds and looks for what a player would notice: GAMES=100, SEED=1

@@ -18,7 +18,6 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 local move = {}
 
 local KINEMATIC, DYNAMIC = constants.KINEMATIC, constants.DYNAMIC
-local max, min = math.max, math.min
 
 -- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
 -- and further by its own velocity. If the update has several steps, the written way is spread over
@@ -64,14 +63,9 @@ local function holdBack(b, i)
   end
 end
 
--- Returns the velocity of a dynamic body on an axis when the step begins.
-local function startOf(b, k)
-  return max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
-end
-
 -- Computes where bodies would end, and how fast they would be then: free flight, before any contact
--- acts. (One pass, with both axes written out: without a compiler that is half of the work for a body
--- that meets nothing.)
+-- acts. (One pass, with both axes written out: without a compiler that is half of the work for what
+-- meets nothing.)
 local function findEnds(b, dt)
   local list, kind, from, to, displacement = b.awakeList, b.kind, b.from, b.to, b.displacement
   local speed, carried, accel, start, freeSpeed = b.speed, b.carried, b.accel, b.start, b.freeSpeed
@@ -93,10 +87,11 @@ local function findEnds(b, dt)
     local endX, endY = speed[k], speed[m]
     give[k], give[m], freeSpeed[k], freeSpeed[m] = mass, mass, endX, endY
     if kind[i] == DYNAMIC then
-      local startX, startY = velocity[k] + carried[k], velocity[m] + carried[m]
+      local startX, startY = velocity[k], velocity[m]
       if not isFree[i] then
-        startX, startY = startOf(b, k), startOf(b, m)
+        startX, startY = forces.limit(b, i, startX, startY)
       end
+      startX, startY = startX + carried[k], startY + carried[m]
       start[k], start[m] = startX, startY
       accel[k], accel[m] = (endX - startX) / dt, (endY - startY) / dt
     else

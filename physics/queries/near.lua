@@ -205,7 +205,8 @@ end
 local function add(c, i)
   local b, n = c.bodies, c.count + 1
   local object, k, m, kind = b.object[i], 2 * n, 2 * i, STATIC
-  c.count, c.object[n], c.groupName[n], c.rank[n] = n, object, b.groupName[i], b.rank[i]
+  c.count, c.object[n], c.groupName[n], c.rank[n] =
+    n, object, b.groupName[i], registry.orderOf(b, i)
   if b.kind[i] == STATIC then
     c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
     c.size[k], c.size[k + 1], c.shape[n] = b.size[m], b.size[m + 1], b.shape[i]
@@ -238,14 +239,18 @@ end
 -- Adds an object that is on the way of a line, and asks how far it goes on.
 local function visitSlot(c, i, bound)
   local n = addSlot(c, i)
-  return n and c.visit(c, n, bound) or bound
+  return n and c.visit and c.visit(c, n, bound) or bound
 end
 
 --- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of
 --- them and returns the share of the line after which nothing matters (see broadphase/gridLines).
 function near.line(c, x1, y1, x2, y2, visit)
-  c.visit = visit
-  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, 1)
+  local isLater, bound = type(c.filter) == "function", 1 -- (that may do anything, also to the grid)
+  c.visit = not isLater and visit
+  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+  for n = 1, isLater and c.count or 0 do
+    bound = visit(c, n, bound)
+  end
 end
 
 --- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world.
