@@ -116,8 +116,8 @@ local function listSome(st, objects)
   return some
 end
 
--- Writes a field of all objects, or of those in `some`. What had left the world gets the fields that
--- it had.
+-- Writes a field of all objects, or of those in `some`. What had left the world gets the fields it
+-- had then.
 local function writeField(st, objects, row, some)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
   local isDense = format.isDense(row)
