@@ -54,6 +54,21 @@ function script.read(arguments)
   end
 end
 
+--- Returns the words of the command line that are no options, of which the first one names an
+--- example: `love examples online host`.
+function script.readWords(arguments)
+  local words = {}
+  for _, argument in ipairs(arguments) do
+    if not argument:find("^%-%-") then
+      words[#words + 1] = argument
+    end
+  end
+  if script.example then
+    return script.example, words[1], words[2]
+  end
+  return words[1], words[2], words[3]
+end
+
 -- How many colours a picture has, from a grid of samples: an empty one would be no proof.
 local function countColors(image)
   local seen, count = {}, 0

@@ -275,29 +275,6 @@ recipes["Camera"] = function(snippet)
   assert.near(2200, g.look(), 0.1)
 end
 
-recipes["Network rollback"] = function(snippet)
-  local keys = { [10] = { right = true, jump = true }, [11] = { right = true } }
-  -- steps by which the input is late, 0: it comes in time
-  local function playedWith(late)
-    local g = play(snippet, "receive")
-    local receive = g.look()
-    for step = 0, 59 do
-      if keys[step - late] then
-        receive(step - late, keys[step - late])
-      end
-      g.run(DT)
-    end
-    return g
-  end
-  local inTime = playedWith(0)
-  assert.is_true(inTime.player.y < 368)
-  for _, late in ipairs({ 1, 7, 30 }) do
-    local g = playedWith(late)
-    assert.equal(inTime.player.x, g.player.x)
-    assert.equal(inTime.world:hash(), g.world:hash())
-  end
-end
-
 recipes["A path for a lift"] = function(snippet)
   local g = play(snippet)
   local lift = g.world.objects.lifts[1]

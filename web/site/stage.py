@@ -30,7 +30,7 @@ PAGES = {
 # index.md names them.
 MENU = [
     ("Start", ["index.md"]),
-    ("Guide", ["guide/*", "platformers.md", "topdown.md", "maps.md", "events.md", "state.md", "recipes.md"]),
+    ("Guide", ["guide/*", "platformers.md", "topdown.md", "maps.md", "events.md", "state.md", "online.md", "recipes.md", "kit.md"]),
     ("Examples", ["examples/*"]),
     ("Playground", ["playground.md"]),
     ("Reference", [
