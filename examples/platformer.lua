@@ -1,10 +1,11 @@
 -- A level to play: run, jump, push the crate, land on heads, reach the flag. A jump key that is
 -- pressed a little early or late counts. The longer you hold it, the higher you jump.
 --
--- This file is the game: what is in the level and how the player moves. How it looks is in
--- platformer_art.lua. The physics is that of the library.
+-- This file is the game: what is in the level, and how it feels. How it looks is in
+-- platformer_art.lua, how the player moves in kit/hero.lua. The physics is that of the library.
 
 local art = require("platformer_art")
+local hero = require("kit.hero")
 local input = require("input")
 local physics = require("physics")
 local view = require("view")
@@ -30,10 +31,16 @@ local LEVEL = [[
 local TILE = 40 -- px, one character of the map
 
 -- What makes a jump feel right: it is forgiving at both ends, and as high as the key is held long.
-local RUN_SPEED, RUN_UP, RUN_UP_IN_AIR = 290, 2200, 1500 -- px/s, px/s², px/s²
-local JUMP_SPEED, SHORT_JUMP_SPEED = 780, 260 -- px/s
-local COYOTE_TIME = 0.09 -- s, in which one may still jump after walking off an edge
-local BUFFER_TIME = 0.12 -- s, for which a jump key pressed too early is remembered
+local FEEL = {
+  runSpeed = 290, -- px/s
+  runUp = 2200, -- px/s²
+  runUpInAir = 1500,
+  jumpSpeed = 780, -- px/s
+  shortJump = 260,
+  coyoteTime = 0.09, -- s, in which one may still jump after walking off an edge
+  jumpBuffer = 0.12, -- s, for which a jump key pressed too early is remembered
+  fallSpeed = 1100, -- px/s, the highest; a spring may throw faster
+}
 local STOMP_SPEED, SPRING_SPEED, ENEMY_SPEED = 520, 1180, 70 -- px/s
 
 local world, player, state ---@type physics.World, any, table
@@ -68,7 +75,7 @@ local function meetEnemy(enemy, other, side)
   if other == player and side == "top" then
     art.burst(enemy, 14, "plum")
     world:remove(enemy)
-    player.vy = -STOMP_SPEED
+    player.vy, player.hero.isJumping = -STOMP_SPEED, false
   elseif other == player then
     die()
   end
@@ -77,7 +84,9 @@ end
 local function jumpOnSpring(spring, other, side)
   if side == "top" and not other.static then
     other.vy = -SPRING_SPEED
-    state.isJumping = false
+    if other == player then
+      player.hero.isJumping = false -- letting the key go does not cut this flight short
+    end
     spring.pressedAt = state.time
   end
 end
@@ -131,7 +140,7 @@ local build = {
   P = function(x, y)
     state.startX, state.startY = x + 7, y + 6
     player = { x = state.startX, y = state.startY, width = 26, height = 34, vx = 0, vy = 0 }
-    player.maxSpeedY, player.facing = 1100, 1
+    player.hero = hero.new(FEEL)
     world:add("players", player)
   end,
 }
@@ -139,7 +148,7 @@ local build = {
 function platformer.load()
   world = physics.newWorld({ gravity = 2000 })
   platformer.world = world
-  state = { time = 0, coins = 0, deaths = 0, sinceGround = 1, sinceKey = 1, fallSpeed = 0 }
+  state = { time = 0, coins = 0, deaths = 0 }
   local rows = {}
   for row in LEVEL:gmatch("[^\n]+") do
     rows[#rows + 1] = row
@@ -157,31 +166,12 @@ function platformer.load()
   art.load(world, player, state)
 end
 
-local function approach(value, target, step)
-  return value < target and math.min(target, value + step) or math.max(target, value - step)
-end
-
-local function steer(dt)
-  local direction = input.axis("left", "a", "right", "d")
-  local onGround = player.touching.bottom
-  local speedUp = onGround and RUN_UP or RUN_UP_IN_AIR
-  player.vx = approach(player.vx, direction * RUN_SPEED, speedUp * dt)
-  if direction ~= 0 then
-    player.facing = direction
-  end
-
-  state.sinceGround = onGround and 0 or state.sinceGround + dt
-  state.sinceKey = state.sinceKey + dt
-  if state.sinceKey < BUFFER_TIME and state.sinceGround < COYOTE_TIME then
-    player.vy = -JUMP_SPEED
-    state.sinceKey, state.sinceGround = BUFFER_TIME, COYOTE_TIME
-    state.isJumping = true
-  end
-  -- Letting the key go cuts a jump short, but not the flight off a spring or an enemy.
-  if state.isJumping and not input.isDown("space", "up", "w") then
-    player.vy = math.max(player.vy, -SHORT_JUMP_SPEED)
-    state.isJumping = false
-  end
+local function readKeys()
+  return {
+    left = input.isDown("left", "a"),
+    right = input.isDown("right", "d"),
+    jump = input.isDown("space", "up", "w"),
+  }
 end
 
 local function patrol(enemy)
@@ -196,7 +186,8 @@ end
 local function comeBack()
   state.deadFor = nil
   player.active = true
-  player.x, player.y, player.vx, player.vy = state.startX, state.startY, 0, 0
+  player.x, player.y = state.startX, state.startY
+  hero.reset(player)
 end
 
 function platformer.update(dt)
@@ -206,24 +197,14 @@ function platformer.update(dt)
     if state.deadFor > 0.8 then
       comeBack()
     end
-  elseif not state.won then
-    steer(dt)
   else
-    player.vx = approach(player.vx, 0, RUN_UP * dt)
+    hero.update(world, player, state.won and {} or readKeys(), dt)
   end
   for _, enemy in ipairs(world.objects.enemies) do
     patrol(enemy)
   end
   world:update(dt)
   art.update(dt)
-end
-
-function platformer.keypressed(key, isRepeat)
-  if isRepeat then
-    return
-  elseif key == "space" or key == "up" or key == "w" then
-    state.sinceKey = 0
-  end
 end
 
 function platformer.camera()

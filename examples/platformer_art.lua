@@ -41,7 +41,7 @@ function art.update(dt)
   clock = clock + dt
   sparks.update(dt)
   local width = view.gameWidth
-  local target = player.x + player.width / 2 + player.facing * 70 - width / 2
+  local target = player.x + player.width / 2 + player.hero.facing * 70 - width / 2
   target = math.max(0, math.min(state.width - width, target))
   camera = camera + (target - camera) * math.min(1, 6 * dt)
 
@@ -178,7 +178,7 @@ function draw.players()
   local step = onGround and math.sin(player.x * 0.12) * 4 or 3
   local x, y, width, height = player.x, player.y, player.width, player.height
   local lookY = math.max(-1, math.min(1, player.vy / 500))
-  sprites.hero(x, y, width, height, stretch, step, player.facing, lookY, onGround)
+  sprites.hero(x, y, width, height, stretch, step, player.hero.facing, lookY, onGround)
 end
 
 local LAYERS = {

@@ -130,6 +130,10 @@ for name in objects contacts filters queries platforms debugging; do
   check "guide-$name has less than 200 kB" smaller_than 200000 "$target/guide-$name.png"
 done
 
+for name in hero lift enemy crumble checkpoint bullet; do
+  check "$name.lua is drawn" scene "kit-$name"
+done
+
 for number in 1 2 3 4 5 6 7; do
   check "platformer$number is drawn" step "platformer$number" 800:330:0:110
   check "topdown$number is drawn" step "topdown$number" 560:420:120:60

@@ -159,13 +159,6 @@ rows["Wall slide"] = {
   { "-right", 0.2, { vy = { 60 + 159, 60 + 161 } } },
 }
 rows["Springs"] = { { "", 3, { least = { 126.9, 127.1 } }, { x = 100, y = 300 } } }
-rows["Crumbling floor"] = {
-  { "", 0.4, { y = 268 }, { y = 268 } },
-  { "", 0.3, { y = { 268, 400 }, crumbling = { active = false } } },
-  { "", 4, { crumbling = { active = false } }, { y = 290, gravity = 0, vy = 0 } }, -- it waits
-  { "", 0.1, { crumbling = { active = true } }, { y = 200 } },
-  { "", 0.5, { y = 268 }, { gravity = NIL } },
-}
 rows["Doors"] = {
   { "+e", 1, { doors = { y = 200 } } },
   { "-e +e", 1, { doors = { y = 200 }, y = 368 }, { x = 96 } }, -- stopped by its head
@@ -273,26 +266,6 @@ recipes["Camera"] = function(snippet)
   g.player.x = 2990
   g.run(2)
   assert.near(2200, g.look(), 0.1)
-end
-
-recipes["A path for a lift"] = function(snippet)
-  local g = play(snippet)
-  local lift = g.world.objects.lifts[1]
-  g.player.y = 330
-  g.run(0.2)
-  local along = g.player.x - lift.x
-  local seen, highest = {}, 400
-  g.run(9, function()
-    assert.equal(lift, g.player.touching.bottom)
-    assert.near(lift.y - 32, g.player.y, 1e-9)
-    seen[("%.0f %.0f"):format(lift.x, lift.y)] = true
-    highest = math.min(highest, lift.y)
-  end)
-  for _, corner in ipairs({ "30 370", "230 370", "230 220", "30 220" }) do
-    assert.is_true(seen[corner], corner)
-  end
-  assert.equal(220, highest)
-  assert.near(lift.x + along, g.player.x, 1e-9) -- it rides without slipping
 end
 
 recipes["Carry and throw"] = function(snippet)
