@@ -56,7 +56,7 @@ end
 
 local function follow(dt)
   local width, height = view.gameWidth, view.height
-  local x = player.x + player.width / 2 + player.lookX * 70 - width / 2
+  local x = player.x + player.width / 2 + player.hero.facing * 70 - width / 2
   x = math.max(0, math.min(state.width - width, x))
   camera.x = camera.x + (x - camera.x) * math.min(1, 6 * dt)
   camera.y = camera.y + (player.y - height * 0.55 - camera.y) * math.min(1, 5 * dt)
@@ -195,7 +195,7 @@ function draw.players()
   local lookY = math.max(-1, math.min(1, player.vy / 500))
   local width, height = player.width, player.height
   place(player)
-  sprites.hero(-width / 2, -height, width, height, stretch, step, player.lookX, lookY, onGround)
+  sprites.hero(-width / 2, -height, width, height, stretch, step, player.hero.facing, lookY, onGround)
 end
 
 function draw.water(water)
