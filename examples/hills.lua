@@ -3,7 +3,8 @@
 -- cable car, and a mine cart that the slopes drive.
 --
 -- This file is the game: what is in the level and how things move. kit/hero.lua moves the hero,
--- terrain.lua makes slopes of the hills, hills_art.lua draws them. The physics is that of the library.
+-- terrain.lua makes slopes of the hills, hills_art.lua draws them. The physics is that of the
+-- library.
 
 local art = require("hills_art")
 local hero = require("kit.hero")
@@ -81,7 +82,7 @@ for name in NAMES:gmatch("%S+") do
 end
 
 local DEEP, HIGH = 1600, -1200 -- px, y: the lower end of the ground, the upper end of the rock
-local FEEL = { runSpeed = 230, runUp = 1800, runUpInAir = 1800, jumpSpeed = 620, dropThrough = true }
+local FEEL = { runSpeed = 230, runUpInAir = 1800, jumpSpeed = 620, dropThrough = true }
 local TURTLE_PERIOD, CAR_PERIOD = 3.8, 3.2 -- s, there or back
 local CART_PULL, CART_SPEED = 900, 130 -- px/s², on a gradient of 1; px/s, at least
 

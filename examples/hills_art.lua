@@ -193,9 +193,9 @@ function draw.players()
   local stretch = math.min(0.2, math.abs(player.vy) / 6000) - squash
   local step = onGround and math.sin(player.x * 0.12) * 4 or 3
   local lookY = math.max(-1, math.min(1, player.vy / 500))
-  local width, height = player.width, player.height
+  local width, height, facing = player.width, player.height, player.hero.facing
   place(player)
-  sprites.hero(-width / 2, -height, width, height, stretch, step, player.hero.facing, lookY, onGround)
+  sprites.hero(-width / 2, -height, width, height, stretch, step, facing, lookY, onGround)
 end
 
 function draw.water(water)
