@@ -2,9 +2,12 @@
 -- pressed a little early or late counts. The longer you hold it, the higher you jump.
 --
 -- This file is the game: what is in the level, and how it feels. How it looks is in
--- platformer_art.lua, how the player moves in kit/hero.lua. The physics is that of the library.
+-- platformer_art.lua; the player, the enemies and coming back are from the kit, files to copy. The
+-- physics is that of the library.
 
 local art = require("platformer_art")
+local checkpoint = require("kit.checkpoint")
+local enemy = require("kit.enemy")
 local hero = require("kit.hero")
 local input = require("input")
 local physics = require("physics")
@@ -49,10 +52,8 @@ local world, player, state ---@type physics.World, any, table
 -- them after the step.
 
 local function die()
-  if not state.deadFor then
-    state.deadFor = 0
+  if checkpoint.die(player) then
     state.deaths = state.deaths + 1
-    player.active = false
     art.burst(player, 18, "red")
   end
 end
@@ -71,10 +72,10 @@ local function hitSpikes(_, other)
   end
 end
 
-local function meetEnemy(enemy, other, side)
+local function meetEnemy(guard, other, side)
   if other == player and side == "top" then
-    art.burst(enemy, 14, "plum")
-    world:remove(enemy)
+    art.burst(guard, 14, "plum")
+    world:remove(guard)
     player.vy, player.hero.isJumping = -STOMP_SPEED, false
   elseif other == player then
     die()
@@ -117,9 +118,9 @@ local build = {
     world:add("coins", coin)
   end,
   E = function(x, y)
-    local enemy = { x = x + 3, y = y + 12, width = 34, height = 28, mass = 4, direction = -1 }
-    enemy.onBegin = meetEnemy
-    world:add("enemies", enemy)
+    local guard = { x = x + 3, y = y + 12, width = 34, height = 28, mass = 4 }
+    guard.enemy, guard.onBegin = enemy.new({ speed = ENEMY_SPEED }), meetEnemy
+    world:add("enemies", guard)
   end,
   ["^"] = function(x, y)
     -- Smaller than its picture: no player likes to die beside a spike.
@@ -138,9 +139,8 @@ local build = {
     world:add("flags", flag)
   end,
   P = function(x, y)
-    state.startX, state.startY = x + 7, y + 6
-    player = { x = state.startX, y = state.startY, width = 26, height = 34, vx = 0, vy = 0 }
-    player.hero = hero.new(FEEL)
+    player = { x = x + 7, y = y + 6, width = 26, height = 34, hero = hero.new(FEEL) }
+    player.checkpoint = checkpoint.new(player)
     world:add("players", player)
   end,
 }
@@ -174,34 +174,14 @@ local function readKeys()
   }
 end
 
-local function patrol(enemy)
-  if enemy.touching.left then
-    enemy.direction = 1
-  elseif enemy.touching.right then
-    enemy.direction = -1
-  end
-  enemy.vx = enemy.direction * ENEMY_SPEED
-end
-
-local function comeBack()
-  state.deadFor = nil
-  player.active = true
-  player.x, player.y = state.startX, state.startY
-  hero.reset(player)
-end
-
 function platformer.update(dt)
   state.time = state.time + dt
-  if state.deadFor then
-    state.deadFor = state.deadFor + dt
-    if state.deadFor > 0.8 then
-      comeBack()
-    end
-  else
-    hero.update(world, player, state.won and {} or readKeys(), dt)
+  if checkpoint.update(world, player, dt) then
+    hero.reset(player)
   end
-  for _, enemy in ipairs(world.objects.enemies) do
-    patrol(enemy)
+  hero.update(world, player, state.won and {} or readKeys(), dt)
+  for _, guard in ipairs(world.objects.enemies) do
+    enemy.update(world, guard, dt)
   end
   world:update(dt)
   art.update(dt)

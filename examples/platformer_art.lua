@@ -141,7 +141,7 @@ function draw.enemies(enemy)
   love.graphics.rectangle("fill", x, y + bob, width, height - 4 - bob, 11)
   look.color("sky")
   love.graphics.rectangle("fill", x + 5, y + 3 + bob, width - 10, 5, 3)
-  look.eyes(x, y + bob + 2, width, height, enemy.direction, 0.3)
+  look.eyes(x, y + bob + 2, width, height, enemy.enemy.direction, 0.3)
 end
 
 function draw.spikes(spikes)
@@ -170,7 +170,7 @@ function draw.flags(flag)
 end
 
 function draw.players()
-  if not player.active and state.deadFor then
+  if player.active == false then
     return
   end
   local stretch = math.min(0.2, math.abs(player.vy) / 6000) - squash
