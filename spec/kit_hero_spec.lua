@@ -107,7 +107,7 @@ local ROWS = {
     "jumps again in the air",
     { airJumps = 1 },
     {},
-    "jump:1-20 jump:24-60 jump:70-80",
+    "jump:1-20 jump:24-34 jump:40-60",
     100,
     { rise = { 215, 226 } },
   },

@@ -179,6 +179,49 @@ describe("examples/kit/netplay.lua: a message", function()
   it("holds every value exactly", function()
     local value = { 0.1, 1 / 3, -1e300, math.huge, "a;}", "", true, { [2.5] = false, x = { {} } } }
     assert.same(value, netplay.unpack(netplay.pack(value)))
+    assert.has_error(function()
+      netplay.unpack("{s-4;ttt}")
+    end)
+  end)
+
+  it("of an older round is left aside", function()
+    local match = newMatch(0, 0)
+    match[2]:join()
+    match.play(60)
+    local late
+    match[2].send = function(text)
+      late = text
+    end
+    for _ = 1, 6 do
+      match[2]:update(FRAME, 0) -- it is ahead, with keys of steps to come
+    end
+    match[2].send = function(text)
+      match[1]:receive(text)
+    end
+    match[2]:join()
+    local known = match[1].known[2]
+    match[1]:receive(late)
+    assert.equal(known, match[1].known[2])
+  end)
+
+  it("that is reliable comes once, and in order; another one may get lost", function()
+    local got = {}
+    local wire = line.to(function(text)
+      got[#got + 1] = text
+    end)
+    wire.ping, wire.loss = 0.2, 0.3
+    for i = 1, 200 do
+      wire:send(("%03d"):format(i), true)
+      wire:send("x", false)
+      wire:update(FRAME)
+    end
+    wire:update(9)
+    local reliable = table.concat(got):gsub("x", "")
+    assert.equal(600, #reliable)
+    for i = 1, 200 do
+      assert.equal(("%03d"):format(i), reliable:sub(3 * i - 2, 3 * i))
+    end
+    assert.near(340, #got, 40)
   end)
 
   it("that is damaged changes nothing, and stops nothing", function()

@@ -74,7 +74,7 @@ local function read(text, at, depth)
   local number = tonumber(digits)
   if tag == "n" and number then
     return number, after
-  elseif tag == "s" and number and after + number <= #text + 1 then
+  elseif tag == "s" and number and number >= 0 then
     return text:sub(after, after + number - 1), after + number
   end
   error("cannot be read")
