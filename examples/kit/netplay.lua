@@ -148,7 +148,7 @@ local function replay(self)
   while self.now < now do
     simulate(self)
   end
-  self.counted = self.counted + count
+  self.replayed, self.counted = count, self.counted + count
   self.stats.mostBack = math.max(self.stats.mostBack, count)
 end
 
@@ -406,7 +406,7 @@ end
 --- Plays the steps that are due after `dt` s. `keys`: those of the own player, which count two
 --- steps later. Returns how many new steps there were.
 function session:update(dt, keys)
-  self.time = self.time + dt
+  self.time, self.replayed = self.time + dt, 0
   count(self, dt)
   if not self.isPlaying then
     return 0
