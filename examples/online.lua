@@ -157,7 +157,8 @@ local function stateOf(side)
   return ("%d times compared, and equal to the bit"):format(stats.equal)
 end
 
-local function drawNumbers(side, x, y, height)
+-- Rows of numbers, one below the other, so many to a column.
+local function drawNumbers(side, x, y, height, most)
   local stats = side.session.stats
   local rows = {
     { "ping", stats.ping and ("%.0f ms"):format(stats.ping * 1000) or "-" },
@@ -167,10 +168,11 @@ local function drawNumbers(side, x, y, height)
     { "the games", stateOf(side) },
   }
   for i, row in ipairs(rows) do
+    local left, top = x + math.floor((i - 1) / most) * 440, y + (i - 1) % most * height
     look.color("silver")
-    look.text(row[1], x, y + (i - 1) * height, 15)
+    look.text(row[1], left, top, 15)
     look.color("white")
-    look.text(row[2], x + 100, y + (i - 1) * height, 15)
+    look.text(row[2], left + 100, top, 15)
   end
 end
 
@@ -199,17 +201,16 @@ local function drawBoth()
     love.graphics.scale(478 / 960)
     view.clip(0, 0, 960, 590, drawGame, side.game)
     love.graphics.pop()
-    drawNumbers(side, x + 16, 432, 27)
+    drawNumbers(side, x + 16, 432, 27, 5)
   end
 end
 
 local function drawOwn(side)
   side.game:draw()
-  look.panel(16, 8, 470, 142)
   look.color(COLORS[side.player])
   local words = "you are %s; added to the line: %s"
-  look.text(words:format(NAMES[side.player], describeLine()), 30, 14, 15)
-  drawNumbers(side, 30, 38, 21)
+  look.text(words:format(NAMES[side.player], describeLine()), 24, 14, 15)
+  drawNumbers(side, 24, 524, 25, 3)
 end
 
 function online.draw()
