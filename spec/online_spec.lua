@@ -175,6 +175,22 @@ describe("examples/online.lua: a game that is no longer the same", function()
   )
 end)
 
+describe("examples/kit/netplay.lua: a difference", function()
+  it("is found in tables of the game's own, too", function()
+    local world = football.new().world
+    world.ownFields = { "hero" }
+    world.objects.players[2].hero = { mood = "air", timers = { dash = 1 } }
+    local mine = world:save()
+    world.objects.players[2].hero.timers.dash = 2
+    local theirs = world:save()
+    local sentence = netplay.difference(world, mine, theirs)
+    assert.equal("players[2].hero.timers.dash is 1 here and 2 there", sentence)
+    assert.equal(2, world.objects.players[2].hero.timers.dash)
+    sentence = netplay.difference(world, mine, mine)
+    assert.equal("the fields are equal, but contacts or settings differ", sentence)
+  end)
+end)
+
 describe("examples/kit/netplay.lua: a message", function()
   it("holds every value exactly", function()
     local value = { 0.1, 1 / 3, -1e300, math.huge, "a;}", "", true, { [2.5] = false, x = { {} } } }

@@ -202,16 +202,29 @@ end
 
 -- Hashes -----------------------------------------------------------------------------------------
 
+-- Adds a value, and those in it, to a list of names and a table of values.
+local function addValue(name, value, names, values)
+  if type(value) == "table" then
+    for key, inner in pairs(value) do
+      addValue(("%s.%s"):format(name, tostring(key)), inner, names, values)
+    end
+  elseif type(value) ~= "function" then
+    names[#names + 1], values[name] = name, value
+  end
+end
+
 -- Returns the fields of all objects in a state, "players[1].x" -> 30, and their names in order.
 local function fieldsOf(world, state)
-  local names, values = {}, {}
+  local names, values, isOwn = {}, {}, {}
+  for _, field in ipairs(world.ownFields or {}) do
+    isOwn[field] = true
+  end
   world:restore(state)
   for group, objects in pairs(world.objects) do
     for key, object in pairs(objects) do
       for field, value in pairs(object) do
-        if type(value) ~= "table" and type(value) ~= "function" then
-          local name = ("%s[%s].%s"):format(group, key, tostring(field))
-          names[#names + 1], values[name] = name, value
+        if isOwn[field] or type(value) ~= "table" then -- other tables are of the library
+          addValue(("%s[%s].%s"):format(group, key, tostring(field)), value, names, values)
         end
       end
     end
@@ -358,7 +371,9 @@ end
 -- For the game -----------------------------------------------------------------------------------
 
 --- Returns a session. `options`: game, player (1 or 2), send, and version: a text that must be the
---- same on both sides.
+--- same on both sides. In `session.stats` are ping (s), back (steps a second), mostBack (steps),
+--- bytes (a second), longestWait (s), equal (hashes), desync and problem (sentences). If you set
+--- session.onHash(step, mine, theirs), it is called for each comparison.
 function netplay.new(options)
   local self = setmetatable({}, session)
   self.game, self.player, self.send = options.game, options.player, options.send
