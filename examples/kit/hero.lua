@@ -152,8 +152,8 @@ end
 
 -- What it does -----------------------------------------------------------------------------------
 
-local function leap(player, me, speed)
-  player.vy, me.isJumping = -speed, true
+local function leap(player, me)
+  player.vy, me.isJumping = -me.jumpSpeed, true
   me.sinceJump, me.sinceGround, me.sinceWall = NEVER, NEVER, NEVER
 end
 
@@ -162,15 +162,15 @@ local function jump(player, me)
   if me.sinceJump > me.jumpBuffer then
     return
   elseif me.mood == "climb" then
-    leap(player, me, me.jumpSpeed)
+    leap(player, me)
     me.mood, me.ladderPause = "air", LADDER_PAUSE
   elseif me.sinceGround <= me.coyoteTime then
-    leap(player, me, me.jumpSpeed)
+    leap(player, me)
   elseif me.wallJump and me.sinceWall <= me.coyoteTime then
-    leap(player, me, me.jumpSpeed)
+    leap(player, me)
     player.vx, me.locked, me.facing = -me.wall * me.wallJump, me.wallLock, -me.wall
   elseif me.jumpsLeft > 0 then
-    leap(player, me, me.jumpSpeed)
+    leap(player, me)
     me.jumpsLeft = me.jumpsLeft - 1
   end
 end
@@ -192,7 +192,7 @@ local function startDash(me, keys)
   end
 end
 
--- Returns the mood, and its gravity: one place decides, so that no ability undoes another.
+-- Returns the mood, which decides on gravity and the fall: so no ability undoes another.
 local function choose(world, player, me, keys, ground, dt)
   startDash(me, keys)
   if me.dashLeft > 0 then
