@@ -59,7 +59,7 @@ end
 function script.readWords(arguments)
   local words = {}
   for _, argument in ipairs(arguments) do
-    if not argument:find("^%-%-") then
+    if argument:find("^[%w.:*][%w.:*%-]*$") and (words[1] or argument:find("^%l+$")) then
       words[#words + 1] = argument
     end
   end
