@@ -32,6 +32,7 @@ local LEVEL = [[
 ############################################################################################
 ]]
 local TILE = 40 -- px, one character of the map
+local SOLID = { ["#"] = true, ["="] = { group = "bricks" } } -- ["#"]: in the group "tiles"
 
 -- What makes a jump feel right: it is forgiving at both ends, and as high as the key is held long.
 local FEEL = {
@@ -44,6 +45,7 @@ local FEEL = {
   jumpBuffer = 0.12, -- s, for which a jump key pressed too early is remembered
   fallSpeed = 1100, -- px/s, the highest; a spring may throw faster
 }
+local NUDGE = 6 -- px: a head or a foot that hits a corner by at most this slips past it
 local STOMP_SPEED, SPRING_SPEED, ENEMY_SPEED = 520, 1180, 70 -- px/s
 
 local world, player, state ---@type physics.World, any, table
@@ -100,14 +102,8 @@ local function reachFlag(flag, other)
   end
 end
 
--- One function for each character of the map. x, y is the top-left corner of its tile.
+-- One function for each character of the map that is no tile; x, y is the top-left corner there.
 local build = {
-  ["#"] = function(x, y)
-    world:add("tiles", { x = x, y = y, width = TILE, height = TILE, static = true })
-  end,
-  ["="] = function(x, y)
-    world:add("bricks", { x = x, y = y, width = TILE, height = TILE, static = true })
-  end,
   C = function(x, y)
     local crate = { x = x + 2, y = y + 4, width = 36, height = 36, mass = 0.5, friction = 0.3 }
     world:add("crates", crate)
@@ -140,7 +136,7 @@ local build = {
   end,
   P = function(x, y)
     player = { x = x + 7, y = y + 6, width = 26, height = 34, hero = hero.new(FEEL) }
-    player.checkpoint = checkpoint.new(player)
+    player.nudge, player.checkpoint = NUDGE, checkpoint.new(player)
     world:add("players", player)
   end,
 }
@@ -154,6 +150,8 @@ function platformer.load()
     rows[#rows + 1] = row
   end
   local top = view.height - #rows * TILE
+  -- Equal tiles are merged into few large rectangles. No seam can be felt.
+  state.tiles = world:addTiles("tiles", rows, nil, TILE, { y = top, solid = SOLID })
   for row, text in ipairs(rows) do
     for column = 1, #text do
       local make = build[text:sub(column, column)]
@@ -162,7 +160,8 @@ function platformer.load()
       end
     end
   end
-  state.width, state.coinsInLevel = #rows[1] * TILE, #world.objects.coins
+  state.top, state.rows, state.columns = top, #rows, #rows[1]
+  state.tile, state.width, state.coinsInLevel = TILE, #rows[1] * TILE, #world.objects.coins
   art.load(world, player, state)
 end
 
