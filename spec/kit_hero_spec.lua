@@ -149,6 +149,14 @@ local ROWS = {
     { y = 0 },
   },
   {
+    "dashes through an enemy, and is not stopped by the next one before it is out",
+    { dash = 600, dashTime = 0.1, dashThrough = "enemies" },
+    { { "enemies", 130, 360, 20, 40, { pushable = false } }, { "enemies", 220, 360, 20, 40 } },
+    "dash:1-1 right:1-60",
+    60,
+    { x = 200, vx = 0 },
+  },
+  {
     "crouches, and is slower",
     { crouch = 20 },
     {},

@@ -133,16 +133,6 @@ rows["Wall jump"] = {
   { "+space", 0.1, { vx = -200, vy = { -1000, 0 }, x = { 0, 60 } } },
   { "", 0.1, { vx = 160 } }, -- the keys steer again
 }
-rows["Ladders"] = {
-  { "+up", 1, { y = { 245.9, 250.1 } } },
-  { "-up", 1, { rise = { -1, 2.1 } } },
-  { "+down", 2, { y = 368 } },
-  { "-down +up", 3, { y = 168, least = { 165.9, 168.1 } } }, -- to the ledge, without a hop
-  { "", 1, { y = 168, least = 168 } },
-  { "-up +down", 0.5, { y = { 200, 368 } } },
-  { "", 2, { y = 368 } },
-  { "-down", 2, { y = 368, gravity = NIL }, { x = 100, y = 300 } },
-}
 rows["Knock-back"] = {
   { "+right", 0.25, { far = 76 } },
   { "", 0.1, { vx = -200, y = { 0, 368 } } },
@@ -190,24 +180,6 @@ rows["Bullets"] = {
   { "", 1.1, { bullets = NIL } }, -- after 2 s
 }
 local enemy = { x = 100, y = 360, width = 40, height = 40, pushable = false }
-rows["Dash"] = {
-  { "", 0.1, nil, nil, { "enemies", enemy } },
-  { "+x", 0.2, { x = { 100, 140 } } }, -- it ends inside the enemy
-  { "+right", 0.1, { y = 368, enemies = { x = 100, y = 360 } } },
-  { "", 0.5, { x = { 140, 900 }, mask = NIL, gravity = NIL } },
-}
-rows["Crouch"] = {
-  { "+down", 0.5, { y = 382, height = 18, bottom = true } },
-  -- There is no room to get up.
-  {
-    "-down",
-    0.5,
-    { height = 18 },
-    nil,
-    { "low", { x = 0, y = 350, width = 99, height = 30, static = true } },
-  },
-  { "", DT, { y = 368, height = 32, bottom = true }, nil, { "low" } },
-}
 local foe, far =
   { x = 74, y = 368, width = 24, height = 32 }, { x = 200, y = 368, width = 9, height = 9 }
 rows["Sword"] = {

@@ -32,6 +32,7 @@ local SETTINGS = {
   wallLock = 0.15, -- s after a wall jump, in which the keys do not steer
   dash = false, -- px/s; once, until it is on the ground, a wall or a ladder again
   dashTime = 0.15, -- s
+  dashThrough = false, -- the group that it passes through meanwhile ("enemies"): by its `mask`
   crouch = false, -- px: its height, while down is held
   crouchSpeed = 0.5, -- share of runSpeed
   climb = false, -- px/s, on ladders
@@ -56,6 +57,7 @@ local MEMORY = {
   wall = 0, -- -1, 1: where the last wall was
   drift = 0, -- px/s, which what it stood on has given to it
   dashLeft = 0, -- s
+  isPassing = false, -- through a group
   ladderPause = 0, -- s
   holdsJump = false, -- the keys of the last frame
   holdsDash = false,
@@ -101,6 +103,9 @@ end
 --- Forgets what it did, and stands up: for a hero that comes back elsewhere.
 function hero.reset(player)
   local me = player.hero
+  if me.isPassing then
+    player.mask = nil
+  end
   for name, value in pairs(MEMORY) do
     me[name] = value
   end
@@ -222,6 +227,18 @@ local function drop(world, player, me, keys, ground)
   end
 end
 
+-- Also behind the dash it passes through, until it is out of all.
+local function pass(world, player, me)
+  if me.mood == "dash" then
+    player.mask, me.isPassing = { [me.dashThrough] = false }, true
+  elseif me.isPassing then
+    local _, count = world:overlapping(player, me.dashThrough)
+    if count == 0 then
+      player.mask, me.isPassing = nil, false
+    end
+  end
+end
+
 --- Steers a player for the next step of dt s. To be called before `world:update`, or in `onStep`.
 function hero.update(world, player, keys, dt)
   local me = player.hero
@@ -243,6 +260,9 @@ function hero.update(world, player, keys, dt)
   end
   if me.isJumping and not keys.jump then
     player.vy, me.isJumping = math.max(player.vy, -me.shortJump), false
+  end
+  if me.dashThrough then
+    pass(world, player, me)
   end
   local floats = mood == "dash" or me.mood == "climb"
   player.gravity = floats and 0 or me.gravity or nil
