@@ -7,6 +7,7 @@
 
 local art = require("platformer_art")
 local checkpoint = require("kit.checkpoint")
+local crumble = require("kit.crumble")
 local enemy = require("kit.enemy")
 local hero = require("kit.hero")
 local input = require("input")
@@ -15,11 +16,12 @@ local view = require("view")
 
 local platformer = { keys = { { "left", "right", "run" }, { "space", "jump" } } }
 
--- # ground  = bricks  C crate  o coin  E enemy  ^ spikes  S spring  F flag  P player
+-- # ground  = bricks  ~ bricks that crumble  C crate  o coin  E enemy  ^ spikes  S spring  F flag
+-- P player
 local LEVEL = [[
 #                                                                                          #
 #                                                             ooooo                        #
-#                                                             =====                        #
+#                                                             ~~~~~                        #
 #                                                                                          #
 #                                                                                          #
 #                                                             o o o                        #
@@ -104,6 +106,11 @@ end
 
 -- One function for each character of the map that is no tile; x, y is the top-left corner there.
 local build = {
+  ["~"] = function(x, y)
+    local brick = { x = x, y = y, width = TILE, height = TILE, static = true }
+    brick.crumble, brick.onBegin = crumble.new(), crumble.onBegin
+    world:add("crumbling", brick)
+  end,
   C = function(x, y)
     local crate = { x = x + 2, y = y + 4, width = 36, height = 36, mass = 0.5, friction = 0.3 }
     world:add("crates", crate)
@@ -181,6 +188,9 @@ function platformer.update(dt)
   hero.update(world, player, state.won and {} or readKeys(), dt)
   for _, guard in ipairs(world.objects.enemies) do
     enemy.update(world, guard, dt)
+  end
+  for _, brick in ipairs(world.objects.crumbling) do
+    crumble.update(world, brick, dt)
   end
   world:update(dt)
   art.update(dt)

@@ -131,6 +131,13 @@ local function drawTiles()
   end
 end
 
+function draw.crumbling(brick)
+  if brick.active ~= false then
+    local shake = brick.crumble.left and math.sin(clock * 70) * 2 or 0
+    tiles["="](brick.x + shake, brick.y, brick.width)
+  end
+end
+
 function draw.crates(crate)
   sprites.crate(crate.x, crate.y, crate.width)
 end
@@ -191,7 +198,8 @@ function draw.players()
   sprites.hero(x, y, width, height, stretch, step, player.hero.facing, lookY, onGround)
 end
 
-local BEHIND, BEFORE = { "flags", "spikes", "springs" }, { "coins", "crates", "enemies", "players" }
+local BEHIND = { "flags", "spikes", "springs", "crumbling" }
+local BEFORE = { "coins", "crates", "enemies", "players" }
 
 local function drawObjects(groups)
   local left, right = camera - 100, camera + view.gameWidth + 100
