@@ -15,12 +15,12 @@ local BUDGET = {
   { "physics/narrowphase", 584 },
   { "physics/objects", 1220 },
   { "physics/overlaps", 794 },
-  { "physics/queries", 859 },
+  { "physics/queries", 932 },
   { "physics/sleep", 85 },
   { "physics/solver", 3390 },
   { "physics/space", 499 },
   { "physics/state", 840 },
-  { "physics/world", 1421 },
+  { "physics/world", 1452 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

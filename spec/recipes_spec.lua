@@ -115,24 +115,6 @@ end
 
 local rows = {}
 
-rows["Variable jump"] = {
-  { "+space", 1.2, { rise = { 99.9, 100.1 } } },
-  { "-space +space", 0.1 },
-  { "-space", 1.2, { rise = { 0, 20 }, y = 368 } },
-}
-rows["Double jump"] = {
-  { "+space", 0.45, { rise = { 98.5, 100.1 } } },
-  { "+space", 0.45, { least = { 100, 188 } } },
-  { "+space", 1.5, { rise = { -1, 2 }, y = 368 } }, -- a third one does nothing
-  { "", 0.1, nil, { y = 100 } }, -- off an edge only one is left
-  { "+space", 0.1, { vy = { -400, -200 } } },
-  { "+space", 0.1, { vy = { -300, 400 } } },
-}
-rows["Wall jump"] = {
-  { "+right", 0.1, { right = true }, { x = 70, y = 300 } },
-  { "+space", 0.1, { vx = -200, vy = { -1000, 0 }, x = { 0, 60 } } },
-  { "", 0.1, { vx = 160 } }, -- the keys steer again
-}
 rows["Knock-back"] = {
   { "+right", 0.25, { far = 76 } },
   { "", 0.1, { vx = -200, y = { 0, 368 } } },
@@ -142,11 +124,6 @@ rows["Running"] = {
   { "", 0.1, { vx = 160 } },
   { "-right", 0.1, { vx = 40 } },
   { "", 0.1, { vx = 140 }, { vx = 160, floor = { ice = true } } },
-}
-rows["Wall slide"] = {
-  { "+right", 0.5, { right = true }, { x = 60, y = 100 } },
-  { "", 0.5, { vy = 60 } },
-  { "-right", 0.2, { vy = { 60 + 159, 60 + 161 } } },
 }
 rows["Springs"] = { { "", 3, { least = { 126.9, 127.1 } }, { x = 100, y = 300 } } }
 rows["Doors"] = {
@@ -170,15 +147,6 @@ rows["Ice and conveyors"] = {
   { "", 1, { x = 330 }, { x = 270, vx = 0 } },
 }
 
-rows["Bullets"] = {
-  { "", 0, nil, nil, { "enemies", { x = 700, y = 300, width = 1, height = 100, static = true } } },
-  { "+x", 0.2 },
-  { "-x +x", 0.2, { enemies = { health = 1 }, bullets = NIL, x = 40 } },
-  { "-x", 0, nil, nil, { "enemies" } },
-  { "", 0, nil, nil, { "water", { x = 200, y = 300, width = 50, height = 100, sensor = true } } },
-  { "+x", 1, { water = { health = NIL }, bullets = { y = { 300, 400 } } } }, -- it is not stopped
-  { "", 1.1, { bullets = NIL } }, -- after 2 s
-}
 local enemy = { x = 100, y = 360, width = 40, height = 40, pushable = false }
 local foe, far =
   { x = 74, y = 368, width = 24, height = 32 }, { x = 200, y = 368, width = 9, height = 9 }
