@@ -147,7 +147,6 @@ rows["Ice and conveyors"] = {
   { "", 1, { x = 330 }, { x = 270, vx = 0 } },
 }
 
-local enemy = { x = 100, y = 360, width = 40, height = 40, pushable = false }
 local foe, far =
   { x = 74, y = 368, width = 24, height = 32 }, { x = 200, y = 368, width = 9, height = 9 }
 rows["Sword"] = {

@@ -16,7 +16,7 @@
 local checkpoint = {}
 
 local PAUSE = 0.8 -- s from death until it is back
-local REACH = 12 -- times its size: how far from the checkpoint a free place may be
+local REACH = 200 -- px: how far from the checkpoint a free place may be
 local RESET = { "width", "height", "gravity", "maxFallSpeed", "mask" }
 
 --- Returns what goes into player.checkpoint: its place, and the fields that it will have again.
@@ -43,24 +43,6 @@ function checkpoint.die(player)
   return true
 end
 
---- Returns the nearest place to x, y at which a box is free, searched in rings: above first. None
---- within reach: x, y.
-function checkpoint.freePlace(world, x, y, width, height, filter)
-  for ring = 0, REACH do
-    for row = -ring, ring do
-      for column = -ring, ring do
-        if math.max(math.abs(row), math.abs(column)) == ring then
-          local toX, toY = x + column * width / 2, y + row * height / 2
-          if world:fits(toX, toY, width, height, filter) then
-            return toX, toY
-          end
-        end
-      end
-    end
-  end
-  return x, y
-end
-
 --- To be called in each frame; returns true in that in which the player is back.
 function checkpoint.update(world, player, dt)
   local me = player.checkpoint
@@ -74,7 +56,8 @@ function checkpoint.update(world, player, dt)
   for _, name in ipairs(RESET) do
     player[name] = me.fields[name]
   end
-  player.x, player.y = checkpoint.freePlace(world, me.x, me.y, player.width, player.height)
+  local x, y = world:freePlace(me.x, me.y, player.width, player.height, REACH, player)
+  player.x, player.y = x or me.x, y or me.y
   player.vx, player.vy, player.active, me.deadFor = 0, 0, true, false
   return true
 end
