@@ -8,6 +8,8 @@ local input = require("input")
 local look = require("look")
 local physics = require("physics")
 
+---@class examples.Football
+---@field [string] any
 local football = {}
 football.__index = football
 

@@ -222,7 +222,7 @@ function online.draw()
 end
 
 function online.report()
-  local side = sides[#sides]
+  local side = sides[#sides] ---@type table
   local stats, player = side.session.stats, side.game.players[side.player]
   local result = "online: x=%d y=%d equal=%d back=%d desync=%s"
   local desync = (stats.desync or "none"):gsub(" ", "_")

@@ -87,7 +87,8 @@ end
 
 local draw = {}
 
-local tiles = {} -- one function for each character of the level that is a tile
+-- One function for each character of the level that is a tile.
+local tiles = {} ---@type table<string, function>
 
 tiles["#"] = function(x, y, size, hasGrass)
   look.color("dusk")
@@ -118,7 +119,7 @@ end
 
 -- The objects of the tiles are large rectangles. The map knows each tile.
 local function drawTiles()
-  local size, map = state.tile, state.tiles
+  local size, map = state.tile, state.tiles ---@type number, any
   local first = math.max(1, math.floor(camera / size))
   for column = first, math.min(state.columns, first + math.ceil(view.gameWidth / size) + 1) do
     for row = 1, state.rows do

@@ -24,7 +24,7 @@ local MODES = {
 
 -- records[i] is what was before step i, and the keys that were held in it. Mode "play" adds to
 -- them, "again" follows them from step `now` on, "rewound" waits.
-local game, world, records, state ---@type table, physics.World, table, table
+local game, world, records, state ---@type any, physics.World, table, table
 
 function rollback.load()
   game = football.new()

@@ -28,7 +28,8 @@ local OPTIONS = {
     script.example = value
   end,
   width = function(value)
-    view.gameWidth = tonumber(value) or error("--width: expected a number, got " .. value)
+    local width = tonumber(value) or error("--width: expected a number, got " .. value)
+    view.gameWidth = math.floor(width)
     view.width = view.gameWidth
   end,
   frames = function(value)

@@ -24,7 +24,7 @@ local TURN_PAUSE = 0.2 -- s, at least between two turns: in a narrow pit it does
 
 --- Returns what goes into guard.enemy. Errors: a setting that does not exist.
 function enemy.new(settings)
-  local me = { alarm = 0, sinceTurn = 1 }
+  local me = { alarm = 0, sinceTurn = 1 } ---@type table
   for name, value in pairs(SETTINGS) do
     me[name] = value
   end

@@ -23,7 +23,7 @@ local SETTINGS = {
 --- Returns what goes into platform.lift. `points`: two or more, { x, y } or { x =, y = }. Errors: a
 --- setting that does not exist; too few points.
 function lift.new(platform, points, settings)
-  local me = { path = {}, goal = 2, way = 1, waits = 0 }
+  local me = { path = {}, goal = 2, way = 1, waits = 0 } ---@type table
   for name, value in pairs(SETTINGS) do
     me[name] = value
   end

@@ -8,6 +8,8 @@
 --
 -- `line.to(receive)` ends in a function of the same process: for demonstrations and specs.
 
+---@class kit.Line
+---@field [string] any
 local line = {}
 line.__index = line
 
@@ -107,13 +109,14 @@ function line:close()
 end
 
 local function open(address)
-  local self
+  local self ---@type table
   self = new(function(text, isReliable)
     if self.peer then
       self.peer:send(text, 0, isReliable and "reliable" or "unreliable")
       self.enet:flush() -- now, not in the next frame
     end
   end)
+  ---@diagnostic disable-next-line: unresolved-require
   self.enet = require("enet").host_create(address, 1)
   return self.enet and self or error("cannot open " .. tostring(address))
 end
