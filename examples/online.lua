@@ -12,18 +12,20 @@ local netplay = require("kit.netplay")
 local physics = require("physics")
 local view = require("view")
 
-local online = {}
+local online = {
+  keys = {
+    { "a", "d", "w", "orange" },
+    { "left", "right", "up", "blue" },
+    { "b", "another line" },
+    { "c", "cut the line" },
+  },
+}
 
 local PORT = 22122
 local VERSION = "football 1, physics " .. physics._VERSION
 local LINES = { { 0.15, 0.1 }, { 0, 0 }, { 0.06, 0.02 } } -- s of ping, share of loss
 local NAMES, COLORS = { "orange", "blue" }, { "orange", "sky" }
-local BOTH_KEYS = {
-  { "a", "d", "w", "orange" },
-  { "left", "right", "up", "blue" },
-  { "b", "another line" },
-  { "c", "cut the line" },
-}
+local BOTH_KEYS = online.keys
 local OWN_KEYS = { { "left", "right", "up", "play" }, { "b", "make the line worse" } }
 
 -- sides: of this machine: one or two of { player =, game =, session =, line = }
