@@ -76,6 +76,10 @@ test-wine: ## runs most specs on Lua built for Windows, in Wine; LUA="5.1 5.4", 
 test-love: setup ## plays the determinism scene in LÖVE 11.5; TEST="--all" for the examples, too
 	@bash scripts/love.sh $(TEST)
 
+.PHONY: test-online
+test-online: setup ## plays the example Online in pairs of processes over 127.0.0.1: SECONDS=6 each
+	@bash scripts/online.sh $(or $(SECONDS),6)
+
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh
 
