@@ -105,6 +105,7 @@ build = {
     ["physics.solver.impact"] = "physics/solver/impact.lua",
     ["physics.solver.nudge"] = "physics/solver/nudge.lua",
     ["physics.solver.pool"] = "physics/solver/pool.lua",
+    ["physics.solver.press"] = "physics/solver/press.lua",
     ["physics.solver.rounds"] = "physics/solver/rounds.lua",
     ["physics.solver.settle"] = "physics/solver/settle.lua",
     ["physics.solver.slant"] = "physics/solver/slant.lua",
