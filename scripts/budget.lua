@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 642 },
   { "physics/contacts", 370 },
   { "physics/fields", 651 },
-  { "physics/maps", 2186 },
+  { "physics/maps", 2459 },
   { "physics/memory", 869 },
   { "physics/motion", 998 },
   { "physics/narrowphase", 551 },
@@ -20,7 +20,7 @@ local BUDGET = {
   { "physics/solver", 2504 },
   { "physics/space", 427 },
   { "physics/state", 840 },
-  { "physics/world", 1413 },
+  { "physics/world", 1416 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

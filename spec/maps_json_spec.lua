@@ -12,14 +12,16 @@ local function decode(text)
 end
 
 local MAP = [[{ type = "map", width = 8, height = 2, tilewidth = 16, tileheight = 16,
-  tilesets = { { firstgid = 1, source = "sets/other.tsj" }, { firstgid = 5, source = "sets/earth.tsj" } },
+  tilesets = { { firstgid = 1, source = "sets/other.tsj" },
+    { firstgid = 5, source = "sets/earth.tsj" } },
   layers = { { type = "tilelayer", id = 1, name = "land", width = 2, height = 1, data = { 5, 6 } },
     { type = "objectgroup", id = 2, name = "things", objects = { %s } } } }]]
 local EARTH = [[{ name = "earth", tilewidth = 16, tileheight = 16, tilecount = 4, type = "tileset",
-  tiles = { { id = 1, type = "rock", properties = { { name = "solid", type = "bool", value = true } } } } }]]
+  tiles = { { id = 1, type = "rock",
+    properties = { { name = "solid", type = "bool", value = true } } } } }]]
 local CRATE = [[{ type = "template", tileset = { firstgid = 1, source = "../sets/earth.tsj" },
-  object = { name = "crate", type = "Crate", gid = 2147483650, width = 32, height = 16, rotation = 0,
-    properties = { { name = "mass", type = "int", value = 2 },
+  object = { name = "crate", type = "Crate", gid = 2147483650, width = 32, height = 16,
+    rotation = 0, properties = { { name = "mass", type = "int", value = 2 },
       { name = "loot", type = "string", value = "gold" } } } }]]
 
 local FILES = {
@@ -90,7 +92,9 @@ describe("world:loadTiled, JSON", function()
   it("is read without LÖVE, too", function()
     local path = os.tmpname()
     local file = assert(io.open(path .. ".tmj", "wb"))
-    file:write((MAP:gsub("%%s", ""):gsub("source = [^}]*", "name = 'a', tilecount = 2, tilewidth = 16")))
+    file:write(
+      (MAP:gsub("%%s", ""):gsub("source = [^}]*", "name = 'a', tilecount = 2, tilewidth = 16"))
+    )
     file:close()
     assert.equal(1, #load(path .. ".tmj", { solidLayers = { 1 } }).walls)
     os.remove(path)
@@ -99,8 +103,16 @@ describe("world:loadTiled, JSON", function()
 
   -- A file, what it holds instead, and what is said.
   for i, row in ipairs({
-    { "maps/sets/earth.tsj", nil, 'external ("sets/earth.tsj"): cannot read "maps/sets/earth.tsj": there' },
-    { "maps/parts/crate.tj", nil, 'template: cannot read "maps/parts/crate.tj": there is no such file' },
+    {
+      "maps/sets/earth.tsj",
+      nil,
+      'external ("sets/earth.tsj"): cannot read "maps/sets/earth.tsj": there',
+    },
+    {
+      "maps/parts/crate.tj",
+      nil,
+      'template: cannot read "maps/parts/crate.tj": there is no such file',
+    },
     { "maps/parts/crate.tj", "5", 'template: "maps/parts/crate.tj" is no table' },
     {
       "maps/parts/crate.tj",
@@ -174,13 +186,25 @@ describe("world:loadTiled, a world of the editor", function()
     end
     assert.equal("room-0_1 -8 160; room-12_0 3832 0", table.concat(places, "; "))
     level:addMap("room-0_1")
-    assert.same({ "land 8 160 16 16 static type=rock" }, { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") })
+    assert.same(
+      { "land 8 160 16 16 static type=rock" },
+      { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") }
+    )
   end)
 
   it("says what of a pattern cannot be had", function()
-    small.refuses("only LÖVE can look for its maps", load, { patterns = { { regexp = "a" } } }, { folder = "maps" })
+    small.refuses(
+      "only LÖVE can look for its maps",
+      load,
+      { patterns = { { regexp = "a" } } },
+      { folder = "maps" }
+    )
     pretend({ ["a.world"] = [[{ patterns = { { regexp = "(a|b)(\\d)" } } }]] })
-    small.refuses("a pattern of the world cannot be read: (a|b)(\\d): list its maps", load, "a.world")
+    small.refuses(
+      "a pattern of the world cannot be read: (a|b)(\\d): list its maps",
+      load,
+      "a.world"
+    )
     small.refuses("map.maps must be a table, got nil", load, { type = "world" }, { folder = "a" })
   end)
 end)
