@@ -114,6 +114,7 @@ build = {
     ["physics.solver.walk"] = "physics/solver/walk.lua",
     ["physics.space.boxes"] = "physics/space/boxes.lua",
     ["physics.space.lines"] = "physics/space/lines.lua",
+    ["physics.space.planes"] = "physics/space/planes.lua",
     ["physics.space.shapes"] = "physics/space/shapes.lua",
     ["physics.state.format"] = "physics/state/format.lua",
     ["physics.state.hash"] = "physics/state/hash.lua",

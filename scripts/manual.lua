@@ -90,6 +90,23 @@ local TILES = [[
 What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk.
 ]]
 
+-- The tables of the fields of objects.
+local GROUPS = {
+  { title = "Place and shape", names = "x y width height radius slope" },
+  { title = "Kind", names = "static kinematic active sensor area" },
+  {
+    title = "Motion",
+    names = "vx vy ax ay gravity gravityX airFriction drag "
+      .. "maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
+  },
+  { title = "Walking and riding", names = "nudge snap constantSpeed carry surfaceSpeed" },
+  {
+    title = "Contacts",
+    names = "touching mass pushable strength friction restitution mask hits oneWay",
+  },
+  { title = "Events", names = "onBegin onStay onEnd onCrush canCollide" },
+}
+
 -- What each page of docs/api/ is about, in the order of the index.
 local PAGES = {
   { name = "fields", title = "Fields of objects" },
@@ -193,6 +210,26 @@ local function addFields(lines, list, place)
     add(lines, row:format(place, field.name:lower(), field.name, kindOf(field), default, meaning))
   end
   add(lines, "")
+end
+
+-- The fields of objects, a table for each group; fields that no group names come last.
+local function addGroups(lines)
+  local named, rest = {}, {}
+  for _, group in ipairs(GROUPS) do
+    local rows = {}
+    for name in group.names:gmatch("%S+") do
+      rows[#rows + 1], named[name] = assert(fields.objectByName[name], name), true
+    end
+    add(lines, "## " .. group.title, "")
+    addFields(lines, rows, "field")
+  end
+  for _, field in ipairs(fields.objects) do
+    rest[#rest + 1] = not named[field.name] and field or nil
+  end
+  if #rest > 0 then
+    add(lines, "## More", "")
+    addFields(lines, rest, "field")
+  end
 end
 
 -- Types that are the tables of fields above, or of no use to a game.
@@ -580,7 +617,7 @@ local write = {}
 
 function write.fields(lines)
   add(lines, FIELDS)
-  addFields(lines, fields.objects, "field")
+  addGroups(lines)
   add(lines, "## Areas", "", AREAS)
   addFields(lines, fields.area, "area")
 end
