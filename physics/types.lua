@@ -360,7 +360,8 @@ function default.dropThrough(object) end
 ---     "bounce"   goes on mirrored
 ---
 --- The response may be a function(object, other) that returns one of these names for each hit, nil
---- for "slide", or false to ignore `other`. The move ends after 64 hits.
+--- for "slide", or false to ignore `other`. Of several that stop the object at once, the one with
+--- the longest common edge comes first, and decides. The move ends after 64 hits.
 ---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
@@ -589,7 +590,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
 ---     ends on an edge             hits at fraction 1
 ---     runs along an edge          hits the object below it or to its right
----     grazes a corner             no hit
+---     grazes a corner             no hit, but of two that touch there: hits the first of them
+---     meets a one-way object      hits it only from its solid side, as bodies do
 ---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/gridLines.lua).
