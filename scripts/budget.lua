@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/memory", 879 },
   { "physics/motion", 1001 },
   { "physics/narrowphase", 584 },
-  { "physics/objects", 1220 },
+  { "physics/objects", 1221 },
   { "physics/overlaps", 794 },
   { "physics/queries", 859 },
   { "physics/sleep", 85 },

@@ -138,6 +138,24 @@ describe("world:loadTiled, JSON", function()
     end)
   end
 
+  it("has properties of all types, as the Lua export has them", function()
+    local object = tiled.object(1, 0, 0, 8, 8)
+    local inner = { { type = "int", value = 3 }, { type = "list", value = { { value = true } } } }
+    object.properties = {
+      { name = "target", type = "object", value = 7 },
+      { name = "mask", type = "class", propertytype = "Mask", value = { players = false } },
+      { name = "loot", type = "list", value = inner },
+      { name = "drag", type = "float", value = 0.5 },
+    }
+    local made = load(tiled.map({}, { tiled.objects(1, "a", { object }) })).objects[1]
+    assert.same({ { id = 7 }, { players = false }, { 3, { true } }, 0.5 }, {
+      made.target,
+      made.mask,
+      made.loot,
+      made.drag,
+    })
+  end)
+
   it("is refused if it cannot be decoded", function()
     pretend({ ["a.tmj"] = "{" })
     small.refuses('world:loadTiled(map): cannot read "a.tmj": ', load, "a.tmj")
