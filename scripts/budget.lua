@@ -15,12 +15,12 @@ local BUDGET = {
   { "physics/narrowphase", 584 },
   { "physics/objects", 1221 },
   { "physics/overlaps", 794 },
-  { "physics/queries", 859 },
+  { "physics/queries", 932 },
   { "physics/sleep", 85 },
   { "physics/solver", 3390 },
   { "physics/space", 499 },
   { "physics/state", 840 },
-  { "physics/world", 1416 },
+  { "physics/world", 1447 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -1,5 +1,5 @@
 ---@diagnostic disable
---- Compares the game's groups with what was seen of them last: from which place on they differ, and
+--- Compares the game's groups with what was seen of them last: in which places they differ, and
 --- which keys they have.
 --
 -- As long as nothing has changed, that is one comparison an object. Nothing follows the order of
