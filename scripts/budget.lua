@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 642 },
   { "physics/contacts", 370 },
   { "physics/fields", 649 },
-  { "physics/maps", 2459 },
+  { "physics/maps", 2461 },
   { "physics/memory", 879 },
   { "physics/motion", 1001 },
   { "physics/narrowphase", 584 },
