@@ -77,14 +77,13 @@ end
 local function hasOthers(record, count)
   local source, n, known = record.source, 0, min(count, record.count)
   if known > FEW and not record.mixed and rawget(source, count + 1) == nil then
-    local key = known -- keys beyond the last known number follow it
+    local last, key = known, known -- keys beyond the last known number follow it
     repeat
-      n, key = key, next(source, key)
-    until key ~= n + 1
-    if key == nil and n == count then
+      last, key = key, next(source, key)
+    until key ~= last + 1
+    if key == nil and last == count then
       return false
     end
-    n = 0
   end
   for key in next, source, nil do
     n = n + 1
