@@ -77,7 +77,7 @@ end
 local function hasOthers(record, count)
   local source, n, known = record.source, 0, min(count, record.count)
   if known > FEW and not record.mixed and rawget(source, count + 1) == nil then
-    local last, key = known, known -- keys beyond the last known number follow it
+    local last, key = nil, known -- keys beyond the last known number follow it
     repeat
       last, key = key, next(source, key)
     until key ~= last + 1
