@@ -9,18 +9,18 @@ local BUDGET = {
   { "physics/broadphase", 643 },
   { "physics/contacts", 372 },
   { "physics/fields", 658 },
-  { "physics/maps", 2460 },
+  { "physics/maps", 2461 },
   { "physics/memory", 887 },
-  { "physics/motion", 1038 },
+  { "physics/motion", 1041 },
   { "physics/narrowphase", 556 },
   { "physics/objects", 1263 },
-  { "physics/overlaps", 796 },
+  { "physics/overlaps", 793 },
   { "physics/queries", 890 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3473 },
+  { "physics/solver", 3397 },
   { "physics/space", 499 },
   { "physics/state", 881 },
-  { "physics/world", 1455 },
+  { "physics/world", 1450 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -186,7 +186,8 @@ describe("loadTiled: the name of a layer", function()
   local walls = {
     "Collision LAyer, Platforms lvl, TopWall, collisions_1, WALLS, solid-tiles, boundaries, Static,"
       .. "terrain2, Water Blocks",
-    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur, Water, pit",
+    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur, Water,"
+      .. "pit",
   }
   for i, names in ipairs(walls) do
     for name in names:gmatch("%s*([^,]+)") do

@@ -35,8 +35,6 @@ for _, name in ipairs(level.LISTS) do
   LISTS[#LISTS + 1] = name
 end
 
-local TABLES = { "byId", "byIid", "named", "tileLayers" }
-
 local function join(self, made)
   for _, name in ipairs(LISTS) do
     local list = self[name]
@@ -44,21 +42,20 @@ local function join(self, made)
       list[#list + 1] = entry
     end
   end
-  for _, name in ipairs(TABLES) do
-    self[name] = properties.join(made[name] or {}, self[name])
+  for _, name in ipairs({ "byId", "byIid", "named", "tileLayers" }) do
+    self[name] = properties.join(made[name] or {}, self[name] or {})
   end
   self.tiles, self.rectangles = self.tiles + made.tiles, self.rectangles + made.rectangles
 end
 
 local function refresh(self)
   local grids = {}
+  self.byId, self.byIid, self.named, self.tileLayers = nil, nil, nil, nil
   self.tiles, self.rectangles = 0, 0
   for _, name in ipairs(LISTS) do
     self[name] = {}
   end
-  for _, name in ipairs(TABLES) do
-    self[name] = {}
-  end
+  join(self, { tiles = 0, rectangles = 0 })
   for i, map in ipairs(self.maps) do
     if map.level then
       join(self, map.level)
