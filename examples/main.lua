@@ -4,7 +4,8 @@
 -- report(), which returns "name: value=1 other=2", and, if they like, keypressed(key, isRepeat) and
 -- mousepressed(x, y). An example draws 960x640 px and also has: keys, the hints for the bar at the
 -- bottom; world, the world that the frame around it (frame.lua) measures and makes visible; and, if
--- its picture scrolls, camera(), which returns the x, y of the world at the top-left corner. A new
+-- its picture scrolls, camera(), which returns the x, y of the world at the top-left corner, and the
+-- scale if that is not 1. A new
 -- one is entered in the list of menu.lua.
 --
 -- For tests: `love examples --say` prints a line when a screen has started, and then one a second:

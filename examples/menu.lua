@@ -20,7 +20,7 @@ local EXAMPLES = {
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },
-  { name = "rooms", title = "Rooms", text = "Maps as others make them." },
+  { name = "rooms", title = "Rooms", text = "Several maps, checkpoints, a saved game." },
   { name = "marbles", title = "Marbles", text = "Slopes, bumpers, pegs, and a lift." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }

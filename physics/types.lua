@@ -487,12 +487,15 @@ function default.save(out) end
 ---
 --- Objects that were added since then leave, removed ones come back, and all get their saved
 --- fields. In this same world each object is the very table that it was. A state from elsewhere is
---- applied by group and key; a missing object becomes a new plain table, without callbacks.
+--- applied to what a map has loaded by its id in the editor, to all else by group and key; a missing
+--- object becomes a new plain table, without callbacks. The maps of a level of several maps come and
+--- go, and tiles are dug and built, as they were.
 ---
---- Errors: the value is not a state, or one of another version, or damaged; it is called from
---- inside `canCollide`. Nothing has changed then.
+--- Errors: the value is not a state, or one of another version, or damaged; a map cannot be read; it
+--- is called from inside `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy
 ---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
+---@return physics.Object[] new the objects that had to be made
 function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds, the same on every Lua. Two

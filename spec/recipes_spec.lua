@@ -2,6 +2,7 @@
 
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
+local states = require("spec.support.states")
 
 local RECIPES = snippets.read("docs/recipes.md")
 local DT = 1 / 60
@@ -368,7 +369,7 @@ recipes["A fixed step"] = function(snippet)
 end
 
 recipes["Chunks"] = function(snippet)
-  local g = play(snippet, "chunks, changes, dig, updateChunks")
+  local g = play(snippet, "chunks, changes, dig, updateChunks, save, load")
   g.world:remove(g.env.floor)
   g.player.y, g.player.gravity, g.player.x = 0, 0, 8000
   local function measure()
@@ -399,6 +400,21 @@ recipes["Chunks"] = function(snippet)
   g.run(0.5)
   assert.equal(3, measure())
   assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
+  local _, _, bomb, _, save, load = g.look()
+  bomb(20000, deeper - 15)
+  bomb(-900, deeper + 1)
+  bomb(-900, -900)
+  g.player.vx = -3000
+  g.run(0.3) -- some chunks are only half there
+  local saved, hash = states.read(states.write(save())), g.world:hash()
+  load(saved)
+  assert.equal(hash, g.env.world:hash())
+  g.env.player.x, g.env.player.vx = 20000, 0
+  g.run(0.5)
+  local _, y = select(2, g.env.world:raycast(20008, 300, 20008, 900))
+  assert.equal(deeper, y)
+  dig(20000, y + 1)
+  assert.equal(deeper + 16, (select(3, g.env.world:raycast(20008, 300, 20008, 900))))
 end
 
 describe("docs/recipes.md:", function()
