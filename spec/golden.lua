@@ -2,9 +2,9 @@
 --- `make golden` (scripts/golden.sh), which looks that LuaJIT, its interpreter, 5.1 and 5.4 agree.
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
-  everything = "73111303469249",
-  games5000001 = "1610155392",
-  games5000004 = "1295084345",
-  games5000009 = "62697866",
-  wild = "1892354767",
+  everything = "37655159836966",
+  games5000001 = "2139406811",
+  games5000004 = "1122114908",
+  games5000009 = "2142570167",
+  wild = "816262419",
 }
