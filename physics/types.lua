@@ -487,9 +487,8 @@ function default.save(out) end
 ---
 --- Objects that were added since then leave, removed ones come back, and all get their saved
 --- fields. In this same world each object is the very table that it was. A state from elsewhere is
---- applied to what a map has loaded by its id in the editor, to all else by group and key; a missing
---- object becomes a new plain table, without callbacks. The maps of a level of several maps come and
---- go, and tiles are dug and built, as they were.
+--- applied to objects of maps by their id in the editor, to others by group and key; a missing one
+--- becomes a new plain table, without callbacks. Maps come and go, and tiles are dug, as they were.
 ---
 --- Errors: the value is not a state, or one of another version, or damaged; a map cannot be read; it
 --- is called from inside `canCollide`. Nothing has changed then.
