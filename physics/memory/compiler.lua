@@ -31,7 +31,6 @@ compiler.INTERPRETED = {
   ["objects.groups"] = "sortedKeys hasOthers haveChanged",
   ["objects.registry"] = "forgetGiven find",
   ["queries.move"] = "finish",
-  ["queries.near"] = "readGroups",
   ["state.hash"] = "measure",
   ["state.format"] = "isPlain",
   ["state.older"] = "read",

@@ -105,11 +105,30 @@ local function write(owner, row, value, isShared)
   end
 end
 
--- Writes a field of all objects. Those that had left the world get the fields that they had.
-local function writeField(st, objects, row)
+-- Lists the numbers of the objects that are no mere tiles, or will be none.
+local function listSome(st, objects)
+  local has, some = {}, {}
+  for _, row in format.rows(st) do
+    local list = not format.isOfAll(row) and st.fields[row.name] or NONE
+    for at = 1, #list, 2 do
+      has[list[at]] = true
+    end
+  end
+  for n = 1, st.count + st.gone do
+    if has[n] or not check.isMere(objects[n]) then
+      some[#some + 1] = n
+    end
+  end
+  return some
+end
+
+-- Writes a field of all objects, or of those in `some`. What had left the world gets the fields it
+-- had then.
+local function writeField(st, objects, row, some)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
   local isDense = format.isDense(row)
-  for n = 1, st.count + (row.isOwn and 0 or st.gone) do
+  for m = 1, some and #some or st.count + (row.isOwn and 0 or st.gone) do
+    local n = some and some[m] or m
     local object, value = objects[n], nil
     if isDense then
       value = list[n] or nil
@@ -150,15 +169,26 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
+-- Reads a static object again, if its fields are others.
+local function readStatic(b, i, object)
+  local isStatic = b.kind[i] == STATIC
+  if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
+    read.refresh(b, i)
+  end
+end
+
 -- Reads what `update` would not read again: static objects. Also takes over places and velocities
 -- of the others, so that what is only elsewhere need not be read anew. (Memory has the rest of it.)
+-- Returns the numbers of those that have gone since, but are still known: they have no group yet.
 local function readKnown(b, st, objects)
+  local gone = {}
   for n = 1, st.count do
     local object, i = objects[n], b.slotOf[objects[n]]
-    local isStatic = i and b.kind[i] == STATIC
-    if i and (isStatic or object.static) then
-      if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
-        read.refresh(b, i)
+    if i and (b.kind[i] == STATIC or object.static) then
+      if b.group[i] then
+        readStatic(b, i, object)
+      else
+        gone[#gone + 1] = n
       end
     elseif i then
       local k, written, velocity = 2 * i, b.written, b.velocity -- (`refresh` may make them grow)
@@ -166,6 +196,7 @@ local function readKnown(b, st, objects)
       velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
     end
   end
+  return gone
 end
 
 -- Reads all objects in their old order. If the game has set another `order` since the last step, it
@@ -202,11 +233,8 @@ local function restoreColumn(b, list, slots, entry)
   if hint then
     b[hint] = b[hint] or #list > 0
   end
-  for n = 1, #slots do
-    local k = width * slots[n]
-    if slots[n] <= last then -- else it is static, and has no place there
-      column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
-    end
+  for k = width, width * last, width do
+    column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
   end
   for at = 1, #list, 1 + width do
     local value = entry.isLink and allot.embody(b, slots[list[at + 1]]) or list[at + 1]
@@ -301,12 +329,16 @@ function restore.world(world, st)
   end
   forget(b)
   restoreSettings(world, st.settings)
+  local some = listSome(st, objects)
   for _, row in format.rows(st) do
-    writeField(st, objects, row)
+    writeField(st, objects, row, not format.isOfAll(row) and some)
   end
   place(world, st, objects)
-  readKnown(b, st, objects)
+  local gone = readKnown(b, st, objects)
   readAll(world, st)
+  for n = 1, #gone do
+    readStatic(b, b.slotOf[objects[gone[n]]], objects[gone[n]])
+  end
   events.forget(b.events)
   b.restored = slots
   for n = 1, st.count do

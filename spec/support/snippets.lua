@@ -6,6 +6,20 @@ local states = require("spec.support.states")
 
 local snippets = {}
 
+-- The network of LÖVE, without another player.
+package.preload.enet = function()
+  local function nothing() end
+  local host = { service = nothing, flush = nothing }
+  function host.connect()
+    return { timeout = nothing }
+  end
+  return {
+    host_create = function()
+      return host
+    end,
+  }
+end
+
 snippets.read = require("spec.support.files").read
 
 --- Compiles a text with an environment of its own.
@@ -83,7 +97,8 @@ function snippets.newEnvironment(printed, held)
     dkjson = { decode = decode },
   }
   function environment.require(name)
-    return libraries[name] or require(name)
+    local path = name:find("^kit%.") and "examples." .. name or name
+    return libraries[name] or require(path)
   end
   world:update(1 / 60)
   return setmetatable(environment, { __index = _G })
