@@ -70,7 +70,7 @@ local Thorns = newClass(function(thorns)
   end
 end)
 
-function Thorns:onBegin(other)
+function Thorns.onBegin(_, other)
   game.isDead = game.isDead or other == player
 end
 

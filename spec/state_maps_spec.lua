@@ -309,8 +309,8 @@ end)
 describe(
   "world:restore, a journey through rooms that are dug, with a shift now and then",
   function()
-    -- Saves after some steps. Then goes on, goes back and goes on again; so do others, from the text of
-    -- the state: one that has just begun, and one with a past of its own.
+    -- Saves after some steps. Then goes on, goes back and goes on again; so do others, from the
+    -- text of the state: one that has just begun, and one with a past of its own.
     local function check(seed)
       local rooms = journey.new(seed)
       local one = journey.newWorld(rooms)

@@ -4,8 +4,8 @@
 --- in a world that has loaded the same maps anew, too.
 ---
 --- Objects are named by their map, its place (as before any `world:shift`) and their id in the
---- editor; those of tiles by their cells. Layers that are out of the world, as `unload` leaves them,
---- are in no state.
+--- editor; those of tiles by their cells. Layers that are out of the world, as `unload` leaves
+--- them, are in no state.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -102,7 +102,7 @@ function recall.place(world)
   end
 end
 
--- Saving -------------------------------------------------------------------------------------------
+-- Saving ------------------------------------------------------------------------------------------
 
 -- Returns what a state holds of a layer: the same table until that changes.
 local function snapshotOf(layer)
@@ -116,8 +116,8 @@ local function snapshotOf(layer)
   return layer._snapshot
 end
 
--- Lists which objects have a name. (Which one has which is looked up only where there is another one
--- than at the last time.)
+-- Lists which objects have a name. (Which one has which is looked up only where there is another
+-- object than at the last time.)
 local function saveNames(maps, loaded, objects, count)
   local known, names, at = maps.objects, maps.names, 0
   for n = 1, count do
@@ -147,7 +147,7 @@ function recall.save(world, out, objects, tables)
   end
 end
 
--- Restoring ----------------------------------------------------------------------------------------
+-- Restoring ---------------------------------------------------------------------------------------
 
 -- Digs and builds until a layer has the cells of a state. (A value may be gone from the source.)
 local function digTo(layer, changes)

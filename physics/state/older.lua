@@ -1,6 +1,6 @@
 ---@diagnostic disable
---- Reads states of earlier versions. Objects with their fields, groups and settings are as they were;
---- what the library remembers of them begins anew: contacts are told again, and riders board.
+--- Reads states of earlier versions. Objects with their fields, groups and settings are as they
+--- were; the library remembers nothing of them: contacts are told again, and riders board.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local layout = require(root .. ".memory.layout")

@@ -46,8 +46,8 @@ local function forEach(world, st, visit)
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
--- in a state from elsewhere: what the game has put into them may be on other objects. nil: none. (Of
--- a group of loaded objects that says nothing.)
+-- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
+-- (Of a group of loaded objects that says nothing.)
 local function misfit(world, st, named)
   for _, group in ipairs(st.groups) do
     local members, count = world.objects[group.name], group.count
@@ -311,8 +311,8 @@ local function restoreEvents(b, st, objects)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
---- Makes a world what it was when `st` was saved. Returns what does not fit, or nil, and the objects
---- that it had to make (see match). Errors: a state that cannot be used; then nothing has changed.
+--- Makes a world what it was when `st` was saved. Returns what does not fit, or nil, and the
+--- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has changed.
 function restore.world(world, st)
   local b, slots, layers, sentence, new = world._bodies, {}, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
