@@ -312,7 +312,8 @@ local function restoreEvents(b, st, objects)
 end
 
 --- Makes a world what it was when `st` was saved. Returns what does not fit, or nil, and the
---- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has changed.
+--- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has
+--- changed.
 function restore.world(world, st)
   local b, slots, layers, sentence, new = world._bodies, {}, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
