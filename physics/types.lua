@@ -487,12 +487,14 @@ function default.save(out) end
 ---
 --- Objects that were added since then leave, removed ones come back, and all get their saved
 --- fields. In this same world each object is the very table that it was. A state from elsewhere is
---- applied by group and key; a missing object becomes a new plain table, without callbacks.
+--- applied to objects of maps by their id in the editor, to others by group and key; a missing one
+--- becomes a new plain table, without callbacks. Maps come and go, and tiles are dug, as they were.
 ---
---- Errors: the value is not a state, or one of another version, or damaged; it is called from
---- inside `canCollide`. Nothing has changed then.
+--- Errors: the value is not a state, or one of another version, or damaged; a map cannot be read;
+--- it is called from inside `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy
 ---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
+---@return physics.Object[] new the objects that had to be made
 function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds, the same on every Lua. Two

@@ -400,6 +400,30 @@ describe("loadLDtk: a level", function()
   end)
 end)
 
+describe("world:loadTiled and world:loadLDtk, classes", function()
+  it("gives the objects of a class their metatable, of Tiled and of LDtk", function()
+    local Class = { speed = 7 }
+    Class.__index = Class
+    local level = physics.newWorld():loadLDtk(ldtk.cave(), nil, { classes = { Player = Class } })
+    local named = level.named
+    assert.same(
+      { Class, 7, 3 },
+      { getmetatable(named.Player), named.Player.speed, named.Player.lives }
+    )
+    assert.is_nil(named.Door.speed)
+    local path = "spec/maps/course.lua"
+    named = physics.newWorld():loadTiled(path, { classes = { enemy = Class } }).named
+    assert.same(
+      { Class, 7, 12 },
+      { getmetatable(named.slime), named.slime.speed, named.slime.width }
+    )
+    assert.is_nil(named.lift.speed)
+    local words = "classes.enemy must be a table, got 1"
+    local world = physics.newWorld()
+    small.refuses(words, world.loadTiled, world, path, { classes = { enemy = 1 } })
+  end)
+end)
+
 describe("level:addMap and level:removeMap: a world of several maps", function()
   local function newLevel(options)
     local world = physics.newWorld({ gravity = 800 })

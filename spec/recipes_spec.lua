@@ -2,6 +2,7 @@
 
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
+local states = require("spec.support.states")
 
 local RECIPES = snippets.read("docs/recipes.md")
 local DT = 1 / 60
@@ -257,7 +258,7 @@ recipes["A fixed step"] = function(snippet)
 end
 
 recipes["Chunks"] = function(snippet)
-  local g = play(snippet, "chunks, changes, dig, updateChunks")
+  local g = play(snippet, "chunks, changes, dig, newChunk")
   g.world:remove(g.env.floor)
   g.player.y, g.player.gravity, g.player.x = 0, 0, 8000
   local function measure()
@@ -288,6 +289,26 @@ recipes["Chunks"] = function(snippet)
   g.run(0.5)
   assert.equal(3, measure())
   assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
+  local chunks, _, _, newChunk = g.look()
+  dig(20000, deeper - 15)
+  dig(-900, deeper + 1)
+  dig(-900, -900)
+  g.player.vx = -3000
+  g.run(0.3) -- some chunks are only half there
+  local text, hash = states.write(g.world:save()), g.world:hash()
+  g.env.world = physics.newWorld()
+  for index in pairs(chunks) do
+    chunks[index] = newChunk(index)
+  end
+  g.env.world:restore(states.read(text))
+  g.env.player = g.env.world.objects.players[1]
+  assert.equal(hash, g.env.world:hash())
+  g.env.player.x, g.env.player.vx = 20000, 0
+  g.run(0.5)
+  local _, y = select(2, g.env.world:raycast(20008, 300, 20008, 900))
+  assert.equal(deeper, y)
+  dig(20000, y + 1)
+  assert.equal(deeper + 16, (select(3, g.env.world:raycast(20008, 300, 20008, 900))))
 end
 
 describe("docs/recipes.md:", function()
