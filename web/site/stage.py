@@ -33,7 +33,7 @@ MENU = [
     ("Start", ["index.md"]),
     ("Guide", [
         "guide/index.md",
-        ("Learn", ["recipes.md", "platformers.md", "topdown.md"]),
+        ("Learn", ["recipes.md", "platformers.md", "topdown.md", "kit.md", "online.md"]),
         ("Ideas", ["guide/*", "events.md", "state.md"]),
         ("Around it", ["maps.md", "guide/files.md", "guide/sprites.md", "guide/input.md", "guide/debugging.md"]),
     ]),
