@@ -106,12 +106,6 @@ describe("the README", function()
     assert.is_true(rows >= 15, rows .. " rows")
   end)
 
-  it("names the rockspec of this version", function()
-    local path = "rockspec/physics-" .. physics._VERSION .. "-1.rockspec"
-    snippets.read(path)
-    assert.truthy(README:find(path, 1, true))
-  end)
-
   it("links every page of docs/", function()
     for _, path in ipairs(files.list("find docs -name '*.md'")) do
       assert.truthy(README:find("](" .. path, 1, true), path .. " is not linked")

@@ -9,11 +9,16 @@ import json
 import posixpath
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-REPOSITORY = "https://github.com/physics-lua/physics.lua"
+
+# The address of the repository, or "": what needs it is left out then (scripts/publish.lua).
+REPOSITORY = subprocess.run(
+    ["luajit", "scripts/publish.lua", "address"], cwd=ROOT, check=True, capture_output=True, text=True
+).stdout.strip()
 
 # Files of the repository that are pages, too, and the places of these in the site.
 PAGES = {
@@ -56,8 +61,7 @@ EXAMPLE = """\
 
 ## Source {{ data-search-exclude }}
 
-`examples/{name}.lua`. The files that it requires are in the folder
-[examples]({repository}/tree/HEAD/examples).
+`examples/{name}.lua`. The files that it requires are in the folder {folder}.
 
 <div data-no-try markdown>
 
@@ -99,7 +103,7 @@ HERO = """\
 </div>
 <p class="hero-words">{words}</p>
 <p class="hero-links">
-<a href="{repository}/releases/latest/download/physics.lua">Download one file</a>
+<a href="playground/physics.lua" download>Download one file</a>
 <a href="examples/">Play the examples</a>
 <a href="playground/">Playground</a>
 <a href="guide/">Manual</a>
@@ -165,7 +169,8 @@ def space_lists(markdown):
 
 
 def lead(target, source):
-    """Where a link of a file of the repository leads in the site."""
+    """Where a link of a file of the repository leads in the site. Without an address of the
+    repository some lead to NOWHERE; translate takes these away."""
     path, mark, anchor = target.partition("#")
     place = posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
     page = PAGES.get(source, source.removeprefix("docs/"))
@@ -177,7 +182,7 @@ def lead(target, source):
         inside = place.removeprefix("docs/")
     else:
         kind = "tree" if (ROOT / place).is_dir() else "blob"
-        return f"{REPOSITORY}/{kind}/HEAD/{place}{mark}{anchor}"
+        return f"{REPOSITORY}/{kind}/HEAD/{place}{mark}{anchor}" if REPOSITORY else "NOWHERE"
     return posixpath.relpath(inside, posixpath.dirname(page) or ".") + mark + anchor
 
 
@@ -191,7 +196,7 @@ def add_hero(markdown):
     video = markdown[picture : markdown.index("</video>") + len("</video>")]
     end = markdown.index("```lua")
     words = re.search(r"^\*(.+)\*$", markdown[picture:end], re.MULTILINE)[1]
-    hero = HERO.format(repository=REPOSITORY, video=video, words=words)
+    hero = HERO.format(video=video, words=words)
     return markdown[:picture] + hero + "\n" + markdown[end:]
 
 
@@ -224,6 +229,7 @@ def add_videos(markdown, page):
 
 
 LINK = re.compile(r'(\]\()([^)\s#:][^)\s:]*)(?=\)|\s+"[^"]*"\))')
+LINK_TO_NOWHERE = re.compile(r'\[([^\[\]]*)\]\(NOWHERE\)')
 CODE = re.compile(r"(`+[^`]*`+)")
 
 
@@ -241,7 +247,7 @@ def translate(markdown, source):
                 # In a table GitHub wants "\\|" also inside of code, Python's Markdown shows it.
                 for i in range(1, len(parts), 2):
                     parts[i] = parts[i].replace("\\|", "|")
-            line = "".join(parts)
+            line = LINK_TO_NOWHERE.sub(r"\1", "".join(parts))
         lines.append(line)
     return "\n".join(lines)
 
@@ -271,7 +277,8 @@ def write_examples(write):
         if not (ROOT / f"docs/pictures/{name}.png").exists():
             fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
         source = read(f"examples/{name}.lua").rstrip()
-        values = {"name": name, "title": title, "text": text, "repository": REPOSITORY}
+        folder = translate("[examples](examples)", "README.md")
+        values = {"name": name, "title": title, "text": text, "folder": folder}
         comment = head_comment(source)
         write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
         cards.append(CARD.format(**values))
@@ -339,7 +346,11 @@ def main():
     write("playground.md", PLAYGROUND)
     # What is JSON is YAML.
     menu = json.dumps(make_menu(pages), ensure_ascii=False, indent=2)
-    (target / "mkdocs.yml").write_text(f"{read('web/site/mkdocs.yml')}\nnav: {menu}\n", encoding="utf-8")
+    owner, name = REPOSITORY.split("/")[-2:] if REPOSITORY else ("", "")
+    site = f"https://{owner.lower()}.github.io/{name}/"
+    addresses = f"repo_url: {REPOSITORY}\nsite_url: {site}\n" if REPOSITORY else ""
+    text = f"{read('web/site/mkdocs.yml')}\n{addresses}nav: {menu}\n"
+    (target / "mkdocs.yml").write_text(text, encoding="utf-8")
 
 
 main()
