@@ -177,15 +177,15 @@
 ---@field gravity? number
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX? number
---- default "both". Which of two objects gives way: both, the lighter one more, or only the one that
---- ran into the other.
+--- default "both". Where two objects meet: half-way, by their masses, or at the edge of the one
+--- that was run into. It concerns places only; both settings share the velocities by mass.
 ---@field push? "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
---- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
---- that overlap by half at half of it.
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed along x
+--- or y, two that overlap by half at half of it.
 ---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
@@ -239,15 +239,15 @@
 ---@field gravity number
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX number
---- default "both". Which of two objects gives way: both, the lighter one more, or only the one that
---- ran into the other.
+--- default "both". Where two objects meet: half-way, by their masses, or at the edge of the one
+--- that was run into. It concerns places only; both settings share the velocities by mass.
 ---@field push "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
---- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
---- that overlap by half at half of it.
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed along x
+--- or y, two that overlap by half at half of it.
 ---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
@@ -359,8 +359,9 @@ function default.dropThrough(object) end
 ---     "cross"    goes through
 ---     "bounce"   goes on mirrored
 ---
---- The response may be a function(object, other) that returns one of these names for each hit, nil
---- for "slide", or false to ignore `other`. The move ends after 64 hits.
+--- The response may be a function(object, other) that returns one of these names for each hit, or
+--- false to ignore `other`. Nothing means "slide"; a `checked` world refuses it. The move ends
+--- after 64 hits.
 ---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---

@@ -7,7 +7,7 @@ local snippets = require("spec.support.snippets")
 
 local README = snippets.read("README.md")
 local MOST_WORDS = 900
-local MOST_IN_MANUAL = 30000
+local MOST_IN_MANUAL = 31000
 
 --- The text below a heading, up to the next one of its level.
 local function section(title)
