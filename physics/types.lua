@@ -178,7 +178,7 @@
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX? number
 --- default "both". Where two objects meet: half-way, by their masses, or at the edge of the one
---- that was run into. It concerns places only; both settings share the velocities by mass.
+--- that was run into. It concerns places only: both settings share the velocities by mass.
 ---@field push? "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
@@ -240,7 +240,7 @@
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX number
 --- default "both". Where two objects meet: half-way, by their masses, or at the edge of the one
---- that was run into. It concerns places only; both settings share the velocities by mass.
+--- that was run into. It concerns places only: both settings share the velocities by mass.
 ---@field push "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.

@@ -6,19 +6,21 @@
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 641 },
-  { "physics/contacts", 367 },
+  { "physics/broadphase", 642 },
+  { "physics/contacts", 370 },
   { "physics/fields", 651 },
-  { "physics/maps", 2175 },
-  { "physics/memory", 897 },
-  { "physics/motion", 992 },
-  { "physics/objects", 1157 },
-  { "physics/queries", 780 },
-  { "physics/sleep", 83 },
-  { "physics/solver", 3852 },
-  { "physics/space", 385 },
-  { "physics/state", 839 },
-  { "physics/world", 1401 },
+  { "physics/maps", 2177 },
+  { "physics/memory", 869 },
+  { "physics/motion", 997 },
+  { "physics/narrowphase", 551 },
+  { "physics/objects", 1160 },
+  { "physics/overlaps", 916 },
+  { "physics/queries", 779 },
+  { "physics/sleep", 85 },
+  { "physics/solver", 2504 },
+  { "physics/space", 427 },
+  { "physics/state", 840 },
+  { "physics/world", 1403 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -92,7 +92,7 @@ end
 print(sum .. " times a file names a field")
 
 -- Files that write a column: an assignment names it on its left side.
-for name, most in pairs({ to = 10, speed = 10, from = 6, accel = 8 }) do
+for name, most in pairs({ to = 11, speed = 11, from = 6, accel = 8 }) do
   local found, own, alias = {}, "b%." .. name .. "%[", "%f[%w_.]" .. name .. "%["
   for _, file in ipairs(files) do
     local isAlias, isWriter = file.code:find("b%." .. name .. "%f[^%w_%[]"), false

@@ -27,8 +27,8 @@ return {
   },
   {
     "physics/memory/layout.lua",
-    "news = false, -- something other than its motion has changed in this step: it must not sleep",
-    "news = true, -- something other than its motion has changed in this step: it must not sleep",
+    "mustStayAwake = false, -- something other than its motion has changed in this step",
+    "mustStayAwake = true, -- something other than its motion has changed in this step",
     "begin.lua resets it for each awake body, and it is read of no other",
   },
   {
@@ -94,9 +94,9 @@ return {
     "more is visited, and a visit looks exactly",
   },
   {
-    "physics/solver/ball.lua",
-    "local newI, newJ = pool.share(b.power[i] > b.power[j], wi, wj, vi, vj)",
-    "local newI, newJ = pool.share(b.power[i] >= b.power[j], wi, wj, vi, vj)",
+    "physics/narrowphase/ball.lua",
+    "local newI, newJ = yielding.share(b.power[i] > b.power[j], wi, wj, vi, vj)",
+    "local newI, newJ = yielding.share(b.power[i] >= b.power[j], wi, wj, vi, vj)",
     "it is called only where they differ",
   },
   {
@@ -106,7 +106,7 @@ return {
     "no two have one rank",
   },
   {
-    "physics/solver/touch.lua",
+    "physics/narrowphase/touch.lua",
     "if axis ~= axisOf(b, i) or (side % 2 == 0) ~= (SOLID[axis][shape] > 0) then",
     "if axis ~= axisOf(b, i) or (side % 2 == 0) ~= (SOLID[axis][shape] >= 0) then",
     "of a slope it is 1 or -1",
@@ -124,15 +124,15 @@ return {
     "by 0 px nothing is lowered",
   },
   {
-    "physics/solver/relax.lua",
+    "physics/overlaps/heap.lua",
     "local isLink, isIn = areLoose and ball.isRound(b, i, j), gap < -EPSILON",
     "local isLink, isIn = areLoose and ball.isRound(b, i, j), gap <= -EPSILON",
     "computed gaps are never exactly that",
   },
   {
-    "physics/solver/relax.lua",
-    "for k = 2 * i, b.limitedAt[i] == b.solveStamp and b.give[2 * i] > 0 and 2 * i + 1 or 0 do",
-    "for k = 2 * i, b.limitedAt[i] == b.solveStamp and b.give[2 * i] > 0 and 2 * i + 1 or 1 do",
+    "physics/solver/bounds.lua",
+    "for k = 2 * i, isLimited and 2 * i + 1 or 0 do",
+    "for k = 2 * i, isLimited and 2 * i + 1 or 1 do",
     "slots begin at 1, so 2 * i is at least 2",
   },
   {
@@ -142,13 +142,13 @@ return {
     "slot j again, of which all is noted already",
   },
   {
-    "physics/solver/pool.lua",
+    "physics/narrowphase/yielding.lua",
     "if sign < 0 and b.heldLow[k] > 0 and give > 0 then",
     "if sign <= 0 and b.heldLow[k] > 0 and give > 0 then",
     "what is 0 there is the normal, and all that is given along that axis is a multiple of it",
   },
   {
-    "physics/solver/crowd.lua",
+    "physics/overlaps/crowd.lua",
     "if b.crowdCount > 0 then",
     "if b.crowdCount >= 0 then",
     "crowds are looked for where there are none, and what has begun its step does not begin anew",
@@ -214,7 +214,7 @@ return {
     "more is woken; what is awake for nothing does nothing and sleeps again at the end of the step",
   },
   {
-    "physics/solver/rules.lua",
+    "physics/narrowphase/rules.lua",
     "if (speed - (object[along] or 0)) * b.down[2 * i + axis] > 0 then",
     "if (speed - (object[along] or 0)) / b.down[2 * i + axis] > 0 then",
     "it is 1 or -1 there",
@@ -309,8 +309,8 @@ return {
   },
   {
     "physics/solver/walk.lua",
-    "if moment and (n == last or moment < past - TIE - EPSILON / max(way, -way)) then",
-    "if moment and (n == last or moment <= past - TIE - EPSILON / max(way, -way)) then",
+    "if moment and (n == last or moment < past - TIE - EPSILON / max(distance, -distance)) then",
+    "if moment and (n == last or moment <= past - TIE - EPSILON / max(distance, -distance)) then",
     "what is met at that very moment is met on the next piece, too, at the same place",
   },
   {
@@ -326,7 +326,7 @@ return {
     "no two objects have one rank, and each is looked at once",
   },
   {
-    "physics/solver/relax.lua",
+    "physics/overlaps/heap.lua",
     "local isStruck = (closingOf(b, i, j, nx, ny) - fall) * dt > STRUCK * ball.smallest(b, i, j)",
     "local isStruck = (closingOf(b, i, j, nx, ny) - fall) * dt >= STRUCK * ball.smallest(b, i, j)",
     "exactly that speed along a slanted normal does not come out of the numbers",
@@ -339,8 +339,8 @@ return {
   },
   {
     "physics/memory/layout.lua",
-    "crushed = false, -- that is too much: it is crushed in this step,",
-    "crushed = true, -- that is too much: it is crushed in this step,",
+    "crushed = false, -- it is squeezed, or has no way out, in this step,",
+    "crushed = true, -- it is squeezed, or has no way out, in this step,",
     "path.begin resets it for each awake body, and it is read of no other",
   },
   {
@@ -368,7 +368,7 @@ return {
     "a way that ends exactly so deep ends at the face either way",
   },
   {
-    "physics/solver/relax.lua",
+    "physics/overlaps/heap.lua",
     "local isIn = gapOf(b, b.to, i, j) < -EPSILON and ball.isRound(b, i, j)",
     "local isIn = gapOf(b, b.to, i, j) <= -EPSILON and ball.isRound(b, i, j)",
     "the gap of their shapes, which is asked behind it, must be less, and is no less than this one",

@@ -204,7 +204,7 @@ describe("checked", function()
     end
     local _, message = pcall(move)
     assert.equal(
-      'world:move(object, x, y): response must return false to ignore, got nothing (which means "slide")',
+      "world:move(object, x, y): response must return false to ignore, got nothing",
       message:match("debugging_spec%.lua:%d+: physics: (.*)$")
     )
     assert.equal(y, box.y)

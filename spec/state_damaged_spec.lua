@@ -36,7 +36,7 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 
 -- path, the value that is put there, what the message says
 local ROWS = {
-  { "version", 0, "state.version must be 6: it is of another version" },
+  { "version", 0, "state.version must be 7: it is of another version" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
   { "settings.gravity", nil, "state.settings.gravity must be a number, got nil" },
@@ -77,7 +77,11 @@ local ROWS = {
     { 7, true, 6, true },
     "state.memory.moved[3] must be an integer in 8..10, got 6",
   },
-  { "memory.lost", { 0, true }, "state.memory.lost[1] must be an integer in 1..10, got 0" },
+  {
+    "memory.hasLostCarrier",
+    { 0, true },
+    "state.memory.hasLostCarrier[1] must be an integer in 1..10, got 0",
+  },
   { "memory.carrier", { 6, 11 }, "state.memory.carrier[2] must be an integer in 1..10, got 11" },
   { "memory.carried", { 6, 1, "a" }, 'state.memory.carried[3] must be a number, got "a"' },
   { "memory.wasCrushed", { 6, 1, true }, "state.memory.wasCrushed[2] must be true or false, got" },
@@ -120,7 +124,7 @@ describe("world:restore, what is no state", function()
     for text, value in pairs({
       ["state must be a table, got nil"] = false,
       ['state must be a table, got "state"'] = "state",
-      ["state.version must be 6: it is of another version, or no state, got nil"] = {},
+      ["state.version must be 7: it is of another version, or no state, got nil"] = {},
     }) do
       refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
       assert.are.equal(hash, world:hash())

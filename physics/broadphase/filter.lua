@@ -2,12 +2,12 @@
 --- Filter: decides from kinds, `active`, sensors, masks and `hits` which objects can meet at all.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local forms = require(root .. ".fields.forms")
 
 local filter = {}
 
-local DYNAMIC, STATIC, max = columns.DYNAMIC, columns.STATIC, math.max
+local DYNAMIC, STATIC, max = constants.DYNAMIC, constants.STATIC, math.max
 -- So many different lists of `hits` are shared by the objects that have equal ones.
 local MOST_LISTS = 16
 
@@ -31,8 +31,8 @@ end
 --- Returns "mask", "hits" or "masks" if an object refuses another by its own mask or list, or by
 --- the world's masks.
 function filter.refusal(b, i, j)
-  local only = b.only[i]
-  if only and not only.has[b.groupName[j]] then
+  local hitsOnly = b.hitsOnly[i]
+  if hitsOnly and not hitsOnly.has[b.groupName[j]] then
     return "hits"
   end
   local mask = b.mask[i]

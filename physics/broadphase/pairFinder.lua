@@ -11,14 +11,15 @@
 -- pairs, and `support` where that has ended.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
 local grid = require(root .. ".broadphase.grid")
 local islands = require(root .. ".sleep.islands")
+local links = require(root .. ".memory.links")
 
 local pairFinder = {}
 
-local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 local contact = grid.contact
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 
@@ -59,7 +60,7 @@ end
 local function markNeighbours(b, i)
   b.stamp = b.stamp + 1
   local stamp, mark = b.stamp, b.mark
-  for _, j in columns.neighbours(b, i) do
+  for _, j in links.neighbours(b, i) do
     mark[j] = stamp
   end
   return stamp
@@ -109,7 +110,7 @@ local function linkNear(b, strays, count)
     strayAt[strays[m]] = huge
   end
   if n > 0 then
-    columns.linkAll(b, n)
+    links.linkAll(b, n)
     wakeLinked(b, n)
   end
 end
@@ -125,10 +126,10 @@ end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, margin)
-  local broadphase, placed, only = b.broadphase, b.placed, b.only
+  local broadphase, placed, hitsOnly = b.broadphase, b.placed, b.hitsOnly
   for m = 1, count do
     local i = strays[m]
-    local farthest = only[i] and FARTHEST_AIMED or FARTHEST
+    local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST
     fatten(b, 2 * i, farthest, margin)
     fatten(b, 2 * i + 1, farthest, margin)
     if placed[i] == 0 then
@@ -173,7 +174,7 @@ local function lookUp(b, strays, count, margin)
   enlarge(b, strays, count, margin)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
-    columns.unlinkAll(b, b.parted, partedCount)
+    links.unlinkAll(b, b.parted, partedCount)
   end
   linkNear(b, strays, askMovers(b, strays, count))
 end
@@ -217,7 +218,7 @@ end
 -- stands on nothing then: that slot may be used for another object soon.
 local function unlink(b, i)
   local n, support = 0, b.support
-  for _, j, p in columns.neighbours(b, i) do
+  for _, j, p in links.neighbours(b, i) do
     if filter.reason(b, i, j) then
       n = n + 1
       b.parted[n] = p
@@ -225,7 +226,7 @@ local function unlink(b, i)
       support[j] = support[j] == i and 0 or support[j]
     end
   end
-  columns.unlinkAll(b, b.parted, n)
+  links.unlinkAll(b, b.parted, n)
 end
 
 --- Takes an object out of the pairs and the broad phase.
@@ -255,13 +256,13 @@ end
 
 --- Lists in b.live the pairs with an awake body, which take part in a new step, and resets their
 --- step columns. They are listed anew only when a pair was made or ended, or a body woke or fell
---- asleep. Pairs that are linked in the middle of a step are appended (`columns.linkAll`).
+--- asleep. Pairs that are linked in the middle of a step are appended (`links.linkAll`).
 function pairFinder.listLive(b)
   local live, pairA, pairB, awake, count = b.live, b.pairA, b.pairB, b.awake, 0
   local hit, pressed, passing, nudged = b.hit, b.pressed, b.passing, b.nudged
   if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then
     b.liveLinks, b.liveAwakenings = b.links, b.awakenings
-    columns.freeEnded(b)
+    links.freeEnded(b)
     for p = 1, b.awakeCount > 0 and b.pairSlots or 0 do
       if awake[pairA[p]] or awake[pairB[p]] then -- slot 0, that of a free pair, is not awake
         count = count + 1

@@ -8,22 +8,23 @@
 -- overlapping, wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local rules = require(root .. ".solver.rules")
-local columns = require(root .. ".memory.columns")
-local crowd = require(root .. ".solver.crowd")
+local boxes = require(root .. ".space.boxes")
+local constants = require(root .. ".memory.constants")
+local crowd = require(root .. ".overlaps.crowd")
 local events = require(root .. ".contacts.events")
+local rules = require(root .. ".narrowphase.rules")
 local shapes = require(root .. ".space.shapes")
-local touch = require(root .. ".solver.touch")
+local touch = require(root .. ".narrowphase.touch")
 
 local contactState = {}
 
-local DYNAMIC = columns.DYNAMIC
-local EPSILON, OPPOSITE, INSIDE = columns.EPSILON, columns.OPPOSITE, columns.INSIDE
+local DYNAMIC = constants.DYNAMIC
+local EPSILON, OPPOSITE, INSIDE = constants.EPSILON, constants.OPPOSITE, boxes.INSIDE
 
 -- Returns the side of slot i on which two are flush at the end of the step, else 0; INSIDE if they
 -- overlap.
 local function sideOf(b, p, i, j)
-  return b.hasShapes and touch.side(b, p, i, j) or columns.flushSide(b, i, j)
+  return b.hasShapes and touch.side(b, p, i, j) or boxes.flushSide(b, i, j)
 end
 
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
@@ -77,7 +78,7 @@ local function shortestSide(b, p)
   local x, y, width, height = to[k], to[k + 1], size[k], size[k + 1]
   local itsX, itsY, itsWidth, itsHeight = to[m], to[m + 1], size[m], size[m + 1]
   local name = shapes.side(x, y, width, height, itsX, itsY, itsWidth, itsHeight)
-  local side = columns.SIDE[name]
+  local side = constants.SIDE[name]
   return isSwapped and OPPOSITE[side] or side
 end
 
@@ -131,7 +132,7 @@ end
 
 -- Returns whether slot i has stayed in its place, whatever met it.
 local function isStill(b, i)
-  return b.kind[i] == columns.STATIC or b.stillAt[i] == b.solveStamp
+  return b.kind[i] == constants.STATIC or b.stillAt[i] == b.solveStamp
 end
 
 --- Updates whether pair p is in contact now, and notes its events.
@@ -139,7 +140,8 @@ function contactState.update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
   if b.contact[p] == 0 and b.hasCrowds and crowd.isGhost(b, i, j) then
-    -- Two in a crowd begin none: whether they still are a pair depends on when it has begun.
+    -- Members of a crowd never begin a contact: whether two are still a pair depends on when the
+    -- crowd formed.
     return
   elseif b.sensor[i] or b.sensor[j] then
     now = sensorContact(b, p, i, j)
@@ -154,7 +156,7 @@ function contactState.update(b, p)
       b.hit[p] = 0 -- what was put back has met nothing: it may sleep
     elseif b.hit[p] ~= 0 then
       events.bounce(b, p, b.hit[p], b.hitSpeed[p])
-      b.news[i], b.news[j] = true, true -- each bounce is an event, so they must not sleep
+      b.mustStayAwake[i], b.mustStayAwake[j] = true, true -- each bounce is an event
     end
     return
   end
@@ -167,7 +169,7 @@ function contactState.update(b, p)
     b.contactCount = b.contactCount + 1
   end
   b.contact[p] = now
-  b.news[i], b.news[j] = true, true
+  b.mustStayAwake[i], b.mustStayAwake[j] = true, true
 end
 
 return contactState

@@ -7,17 +7,19 @@
 -- update.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local boxes = require(root .. ".space.boxes")
 local check = require(root .. ".fields.check")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local fields = require(root .. ".fields.fields")
-local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
-local touch = require(root .. ".solver.touch")
+local links = require(root .. ".memory.links")
+local patience = require(root .. ".memory.lazy")(root .. ".overlaps.patience")
 local sort = require(root .. ".memory.sort")
+local touch = require(root .. ".narrowphase.touch")
 
 local events = {}
 
-local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
-local AT_LEFT, AT_TOP = columns.SIDE.left, columns.SIDE.top
+local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.OPPOSITE
+local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
 
 --- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
@@ -89,7 +91,7 @@ local function locate(b, p, side)
   elseif b.hit[p] == 0 then
     at, low, high = touch.line(b, i, j, side, 1)
   end
-  if columns.AXIS[side] == 0 then
+  if constants.AXIS[side] == 0 then
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = at, low, at, high
   else
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = low, at, high, at
@@ -114,7 +116,7 @@ local add = events.add
 -- sleep.
 local function isHeard(b, i, j)
   if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
-    b.heard[i], b.heard[j] = true, true
+    b.isPolled[i], b.isPolled[j] = true, true
     return true
   end
   return false
@@ -175,20 +177,20 @@ end
 --- Returns whether two slots in contact do not touch any more where they are now. (A contact with
 --- an object that has become a sensor goes on while the other one passes through it.)
 function events.isApart(b, i, j)
-  return columns.gap(b, b.position, i, j) > EPSILON
+  return boxes.gap(b, b.position, i, j) > EPSILON
 end
 
 --- Ends the contacts of a slot with all, or those for which `isOver(b, i, j)`, because the game has
 --- changed one of the two. It is no longer wedged into them, and there may be room now. (It may
 --- touch them again in the same step.)
 function events.endContacts(b, i, isOver)
-  for _, j, p in columns.neighbours(b, i) do
+  for _, j, p in links.neighbours(b, i) do
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
       if b.contact[p] ~= 0 then
         if b.hasPacked then
-          relax.loosen(b, i)
-          relax.loosen(b, j)
+          patience.loosen(b, i)
+          patience.loosen(b, j)
         end
         events.finish(b, p, b.contact[p])
         b.contact[p], b.contactCount = 0, b.contactCount - 1

@@ -3,7 +3,7 @@
 --- a type of rows (see fields/fields), so a field needs no code of its own here.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local fields = require(root .. ".fields.fields")
 local layout = require(root .. ".memory.layout")
 
@@ -57,11 +57,11 @@ local function isSameTable(given, kept)
 end
 
 local function keepSide(_, value)
-  return columns.sideOf(value)
+  return constants.sideOf(value)
 end
 
 local function isSameSide(value, kept)
-  return columns.sideOf(value) == kept
+  return constants.sideOf(value) == kept
 end
 
 local TABLE = { keep = keepTable, isKept = isSameTable }
@@ -77,7 +77,7 @@ end
 
 --- Returns what a column holds for nil, by the kind of the object (of an empty slot: nil).
 function forms.absent(row, kind)
-  if row.none ~= nil and (kind ~= columns.DYNAMIC or row.default == nil) then
+  if row.none ~= nil and (kind ~= constants.DYNAMIC or row.default == nil) then
     return row.none
   end
   return row.default

@@ -20,13 +20,13 @@
 -- formulation for anisotropic thermal conduction, 2012 (RKL1, the scheme of first order).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
 
 local drift = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC = constants.DYNAMIC
 local ceil, floor, huge, max, min, sqrt =
   math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
 
@@ -90,7 +90,7 @@ local function list(b, work)
         n, fastest = n + 1, max(fastest, most)
         work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
         local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
-        work.plain[n] = isPlain and not (b.mask[i] or b.only[i] or b.masks) and b.mass[i]
+        work.plain[n] = isPlain and not (b.mask[i] or b.hitsOnly[i] or b.masks) and b.mass[i]
         for axis = 0, 1 do
           local half = size[2 * i + axis] * 0.5
           work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
@@ -137,9 +137,9 @@ local function sortCells(work)
     sorted[start[c]] = n
   end
   for k = 0, 1 do
-    local its, itsHalf, place, reach = work.at[k], work.half[k], work.place[k], work.reach[k]
+    local at, half, place, reach = work.at[k], work.half[k], work.place[k], work.reach[k]
     for p = 1, work.count do
-      place[p], reach[p] = its[sorted[p]], itsHalf[sorted[p]]
+      place[p], reach[p] = at[sorted[p]], half[sorted[p]]
     end
   end
 end
@@ -152,7 +152,7 @@ local function weigh(b, i, j)
   elseif not (b.pushable[i] or b.pushable[j]) then
     wi, wj = 0, 0
   end
-  local total = max(wi + wj, columns.TINY)
+  local total = max(wi + wj, constants.TINY)
   return wi / total, wj / total
 end
 
@@ -201,7 +201,7 @@ local function findNear(b, work, near)
   local lowX, highX, width, most = extent(work, 0)
   local lowY, highY, height = extent(work, 1)
   local wide, high, count = highX - lowX, highY - lowY, work.count
-  local mean = max((width + height) / (2 * count), columns.TINY)
+  local mean = max((width + height) / (2 * count), constants.TINY)
   work.lowX, work.lowY, work.partY = lowX, lowY, 1 / max(mean * HIGH, high / count)
   work.rows = floor(high * work.partY) + 1
   work.partX = 1 / max(mean / FINE, wide * work.rows / (CELLS * count))
@@ -246,7 +246,7 @@ local function advance(b, work, keep, part, own, dt)
   local lastX, lastY = work.last[0], work.last[1]
   for n = 1, work.count do
     local k, limit, dx, dy = 2 * slot[n], most[n], nowX[n], nowY[n]
-    local share = part * min(limit / max(sqrt(dx * dx + dy * dy), columns.TINY), 1.0)
+    local share = part * min(limit / max(sqrt(dx * dx + dy * dy), constants.TINY), 1.0)
     dx, dy = lastX[n] * keep + dx * share, lastY[n] * keep + dy * share
     lastX[n], lastY[n], nowX[n], nowY[n] = dx, dy, 0.0, 0.0
     softSpeed[k], softSpeed[k + 1] = softSpeed[k] + dx, softSpeed[k + 1] + dy
@@ -284,9 +284,9 @@ end
 
 -- Finds the drift of all in a step of dt s.
 local function find(b, work, dt)
-  local way, own = work.fastest * dt, 0.0
-  local size, count, each = findNear(b, work, NEAR * way)
-  local parts = min(ceil(sqrt(way / size * each + 0.25) - 0.5), MOST_PARTS)
+  local displacement, own = work.fastest * dt, 0.0
+  local size, count, each = findNear(b, work, NEAR * displacement)
+  local parts = min(ceil(sqrt(displacement / size * each + 0.25) - 0.5), MOST_PARTS)
   for n = 1, parts do
     local keep, part = (n - 1) / n, (4 * n - 2) / (n * (parts * parts + parts))
     own = own * keep + part
@@ -315,13 +315,15 @@ end
 
 --- Adds the drift to the free flight of all awake bodies.
 function drift.add(b, dt)
-  local awakeList, kind, softSpeed, way, speed = b.awakeList, b.kind, b.softSpeed, b.way, b.speed
+  local awakeList, kind, softSpeed, displacement, speed =
+    b.awakeList, b.kind, b.softSpeed, b.displacement, b.speed
   local without, carried = b.drifts.speed, b.carried
   for n = 1, b.awakeCount do
     local k = 2 * awakeList[n]
     if kind[awakeList[n]] == DYNAMIC then
       without[k], without[k + 1] = speed[k] + carried[k], speed[k + 1] + carried[k + 1]
-      way[k], way[k + 1] = way[k] + softSpeed[k] * dt, way[k + 1] + softSpeed[k + 1] * dt
+      displacement[k], displacement[k + 1] =
+        displacement[k] + softSpeed[k] * dt, displacement[k + 1] + softSpeed[k + 1] * dt
       speed[k], speed[k + 1] = speed[k] + softSpeed[k], speed[k + 1] + softSpeed[k + 1]
     end
   end

@@ -9,7 +9,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carriers = require(root .. ".motion.carriers")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local path = require(root .. ".motion.path")
@@ -17,23 +17,24 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local move = {}
 
-local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local KINEMATIC, DYNAMIC = constants.KINEMATIC, constants.DYNAMIC
 
 -- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
 -- and further by its own velocity. If the update has several steps, the written way is spread over
 -- those that remain. Otherwise a platform would hurry ahead, hit things, and then wait.
 local function moveKinematic(b, k, dt)
-  local v, goal = b.velocity[k], b.written[k] + b.behind[k]
-  b.way[k] = (b.written[k] - b.from[k] + b.behind[k]) / b.remaining
-  b.to[k] = (b.remaining > 1 and b.from[k] + b.way[k] or goal) + v * dt
-  b.writtenSpeed[k] = b.way[k] / dt
+  local v, goal = b.velocity[k], b.written[k] + b.wayLeft[k]
+  b.displacement[k] = (b.written[k] - b.from[k] + b.wayLeft[k]) / b.remaining
+  b.to[k] = (b.remaining > 1 and b.from[k] + b.displacement[k] or goal) + v * dt
+  b.writtenSpeed[k] = b.displacement[k] / dt
   b.speed[k], b.accel[k] = v + b.writtenSpeed[k], 0
 end
 
 -- Computes the free flight of dynamic bodies: speed at the end, and way.
 local function findFlights(b, dt)
   local list, kind, isFree, air = b.awakeList, b.kind, b.isFree, b.flowAir
-  local velocity, pull, push, speed, way = b.velocity, b.flowPull, b.push, b.speed, b.way
+  local velocity, pull, push, speed, displacement =
+    b.velocity, b.flowPull, b.push, b.speed, b.displacement
   for n = 1, b.awakeCount do
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1
@@ -43,7 +44,7 @@ local function findFlights(b, dt)
       local x, y = velocity[k], velocity[m]
       local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
       speed[k], speed[m] = endX, endY
-      way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
+      displacement[k], displacement[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
     elseif kind[i] == DYNAMIC then
       forces.flight(b, i, dt)
     end
@@ -52,14 +53,14 @@ end
 
 -- Computes where dynamic bodies would end, and how fast they would be then.
 local function findEnds(b, dt)
-  local list, kind, from, to, way = b.awakeList, b.kind, b.from, b.to, b.way
+  local list, kind, from, to, displacement = b.awakeList, b.kind, b.from, b.to, b.displacement
   local speed, carried = b.speed, b.carried
   for n = 1, b.awakeCount do
     local i = list[n]
     if kind[i] == DYNAMIC then
       local k, m = 2 * i, 2 * i + 1
-      to[k], speed[k] = from[k] + way[k] + carried[k] * dt, speed[k] + carried[k]
-      to[m], speed[m] = from[m] + way[m] + carried[m] * dt, speed[m] + carried[m]
+      to[k], speed[k] = from[k] + displacement[k] + carried[k] * dt, speed[k] + carried[k]
+      to[m], speed[m] = from[m] + displacement[m] + carried[m] * dt, speed[m] + carried[m]
     end
   end
 end

@@ -13,7 +13,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
 local check = require(root .. ".fields.check")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
 local path = require(root .. ".motion.path")
 local shapes = require(root .. ".space.shapes")
@@ -21,7 +21,7 @@ local sort = require(root .. ".memory.sort")
 
 local zones = {}
 
-local DYNAMIC, TINY = columns.DYNAMIC, columns.TINY
+local DYNAMIC, TINY = constants.DYNAMIC, constants.TINY
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Share of the radius within which an attractor gets weaker towards its centre.
 local CORE = 0.125
@@ -98,8 +98,8 @@ end
 -- The gravity of a zone, g, in place of that of body k, for `share` of it as far as no zone on top
 -- has it already.
 local function replace(b, k, g, share)
-  local its = min(share, b.zoneLeft[k])
-  b.zonePull[k], b.zoneLeft[k] = b.zonePull[k] + (g - b.pull[k]) * its, b.zoneLeft[k] - its
+  local taken = min(share, b.zoneLeft[k])
+  b.zonePull[k], b.zoneLeft[k] = b.zonePull[k] + (g - b.pull[k]) * taken, b.zoneLeft[k] - taken
 end
 
 -- The gravity of zone j in place of that of slot i.

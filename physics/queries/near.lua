@@ -7,16 +7,16 @@
 -- last step (*strays*) are found by comparing the tables with what was written to them, and those
 -- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace,
 -- so each query compares all that moves. Groups in which nothing moves are compared by the first
--- query after an update, `add`, `remove` or `refresh`. In a world of more than `FEW` movers that is
--- so for all. What has changed is noted in the *view* of the world. What is found becomes a
+-- query after an update, `add`, `remove` or `refresh`. With more than `FEW` movers, only that query
+-- compares anything. What has changed is noted in the *view* of the world. What is found becomes a
 -- *catch*: columns by place in it. What a query keeps of that becomes its list.
 --
 -- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(root .. ".fields.check")
 local allot = require(root .. ".memory.allot")
-local columns = require(root .. ".memory.columns")
+local check = require(root .. ".fields.check")
+local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
 local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
 local registry = require(root .. ".objects.registry")
@@ -26,14 +26,14 @@ local sort = require(root .. ".memory.sort")
 local near = {}
 
 local max, min, remove = math.max, math.min, table.remove
-local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 -- So many objects are compared in a few microseconds.
 local FEW = 1000
 -- Numbers with a sum up to this are all in range.
 local MOST = 1e99
-local MISSED = " was moved after the first query of a frame, which among more than "
+local MISSED = " was moved after this frame's first query. With more than "
   .. FEW
-  .. " objects that move only world:refresh(object) tells the next ones"
+  .. " moving objects, call world:refresh(object) so that later queries see it"
 local COLUMNS = {
   "slot", -- 0: a guest
   "object",
@@ -49,7 +49,7 @@ local COLUMNS = {
   "sensor",
   "oneWay",
   "mask",
-  "only",
+  "hitsOnly",
   "entry", -- scratch of queries
 }
 
@@ -223,7 +223,7 @@ local function add(c, object, i)
     -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
     c.position[k], c.position[k + 1] = object.x + 0.0, object.y + 0.0
     c.size[k], c.size[k + 1] = object.width + 0.0, object.height + 0.0
-    kind = columns.kindOf(object)
+    kind = constants.kindOf(object)
     c.shape[n] = shapes.of(object, kind == DYNAMIC)
   end
   c.kind[n] = kind
@@ -318,13 +318,13 @@ function near.readFilter(c, n)
   local b, object, i = c.bodies, c.object[n], c.slot[n]
   if c.kind[n] == STATIC and i ~= 0 then
     c.active[n], c.sensor[n], c.oneWay[n] = b.active[i], b.sensor[i], b.oneWay[i]
-    c.mask[n], c.only[n] = b.mask[i], b.only[i]
+    c.mask[n], c.hitsOnly[n] = b.mask[i], b.hitsOnly[i]
     return
   end
   check.object(object, registry.place, c.group[n], c.key[n])
   c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
-  c.oneWay[n], c.mask[n] = columns.sideOf(object.oneWay), object.mask or false
-  c.only[n] = object.hits and filter.readHits(b, object.hits) or false
+  c.oneWay[n], c.mask[n] = constants.sideOf(object.oneWay), object.mask or false
+  c.hitsOnly[n] = object.hits and filter.readHits(b, object.hits) or false
 end
 
 -- Results -----------------------------------------------------------------------------------------

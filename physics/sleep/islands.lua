@@ -15,11 +15,13 @@
 -- a wall.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local boxes = require(root .. ".space.boxes")
+local constants = require(root .. ".memory.constants")
+local links = require(root .. ".memory.links")
 
 local islands = {}
 
-local STATIC, DYNAMIC, neighbours = columns.STATIC, columns.DYNAMIC, columns.neighbours
+local STATIC, DYNAMIC, neighbours = constants.STATIC, constants.DYNAMIC, links.neighbours
 
 --- The shortest step in which bodies fall asleep, s: what happens in a shorter one may be too
 --- little to show. In a shorter step no sleeping body is skipped either: what a long step takes
@@ -114,7 +116,7 @@ function islands.settle(b, dt)
     if i and n <= b.awakeCount and quiet[i] and mark[i] ~= stamp then
       local count, isQuiet = gather(b, i, stamp)
       for m = 1, isQuiet and count or 0 do
-        columns.stand(b, b.island[m])
+        boxes.stand(b, b.island[m])
         islands.drop(b, b.island[m])
       end
     end

@@ -17,17 +17,16 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
-local EPSILON = columns.EPSILON
+local EPSILON = constants.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
--- stick.
+-- Number of attempts in which bonds may break, and of all attempts (see bonds.lua).
 local TEARS, ATTEMPTS = 2, 4
 -- px by which what is squeezed may overlap what bears it, and still rub on it.
 local SQUEEZED = 0.01

@@ -6,13 +6,13 @@
 -- free. A hit on the side towards gravity is not corrected.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
-local overlap = require(root .. ".solver.overlap")
+local constants = require(root .. ".memory.constants")
+local overlap = require(root .. ".overlaps.overlap")
 local path = require(root .. ".motion.path")
 
 local nudge = {}
 
-local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local floor, max = math.floor, math.max
 -- px by which the tested place is further on, towards what the body hits.
 local AHEAD = 1e-3
@@ -23,17 +23,17 @@ nudge.MOST = 4
 -- at moment t.
 local function detour(b, i, j, axis, t)
   local ki, kj = 2 * i + 1 - axis, 2 * j + 1 - axis
-  local its, mine = path.at(b, kj, b.time[j], t), path.at(b, ki, b.time[i], t)
-  local low, high = its - b.size[ki] - mine, its + b.size[kj] - mine
+  local otherPlace, ownPlace = path.at(b, kj, b.time[j], t), path.at(b, ki, b.time[i], t)
+  local low, high = otherPlace - b.size[ki] - ownPlace, otherPlace + b.size[kj] - ownPlace
   return -low < high and low or high
 end
 
--- Returns whether slot i may go `way` px along k, around a corner: no further than its `nudge`, not
--- back against its own motion, and not towards what holds it in this step.
-local function mayGo(b, i, k, way)
+-- Returns whether slot i may go `distance` px along k, around a corner: no further than its
+-- `nudge`, not back against its own motion, and not towards what holds it in this step.
+local function mayGo(b, i, k, distance)
   local motion = b.to[k] - b.from[k] - b.carried[k] * (1 - b.time[i]) * b.dt
-  local isBack = (motion > EPSILON and way < 0) or (motion < -EPSILON and way > 0)
-  local size, held = max(way, -way), way > 0 and b.heldHigh or b.heldLow
+  local isBack = (motion > EPSILON and distance < 0) or (motion < -EPSILON and distance > 0)
+  local size, held = max(distance, -distance), distance > 0 and b.heldHigh or b.heldLow
   return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack and held[k] == 0
 end
 
@@ -45,23 +45,23 @@ local function try(b, p, i, j, axis, iIsLow, t)
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
     return false
   end
-  local way = detour(b, i, j, axis, t)
-  if b.down[2 * i + axis] == (iIsLow and 1 or -1) or not mayGo(b, i, k, way) then
+  local distance = detour(b, i, j, axis, t)
+  if b.down[2 * i + axis] == (iIsLow and 1 or -1) or not mayGo(b, i, k, distance) then
     return false
   end
   -- A body that is flush with what it hits overlaps nothing else that is flush there. So the place
   -- a little further on is tested.
   local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = path.at(b, 2 * i, b.time[i], t), path.at(b, 2 * i + 1, b.time[i], t)
-  x, y = x + (axis == 1 and way or ahead), y + (axis == 0 and way or ahead)
+  x, y = x + (axis == 1 and distance or ahead), y + (axis == 0 and distance or ahead)
   -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
   -- is in the way beside it may leave without being a neighbour.
-  b.news[i] = true
+  b.mustStayAwake[i] = true
   if overlap.isInside(b, i, x, y, true) then
     return false
   end
   path.advance(b, i, t)
-  path.shift(b, k, way)
+  path.shift(b, k, distance)
   b.nudged[p] = b.nudged[p] + 1
   return true
 end

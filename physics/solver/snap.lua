@@ -9,19 +9,20 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
 local ground = require(root .. ".solver.ground")
+local links = require(root .. ".memory.links")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
-local pool = require(root .. ".solver.pool")
-local rules = require(root .. ".solver.rules")
+local rules = require(root .. ".narrowphase.rules")
 local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
 local walk = require(root .. ".solver.walk")
+local yielding = require(root .. ".narrowphase.yielding")
 
 local snap = {}
 
-local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local axisOf = path.axisOf
 local max, min = math.max, math.min
 
@@ -60,14 +61,14 @@ local function put(b, i, j, k, turn, height)
   path.finish(b, k, turn * height, b.speed[m], b.accel[m])
   b.stack[1] = i
   pairFinder.run(b, b.stack, 1)
-  local p = columns.pairOf(b, i, j)
+  local p = links.pairOf(b, i, j)
   if not p or rules.passes(b, p, turn > 0 and k or m, turn > 0 and m or k, k % 2, false) then
     path.finish(b, k, place, v, a)
     return
   end
   local pressed = turn > 0 and b.pressedHigh or b.pressedLow
   pressed[k] = true
-  pool.lean(b, k, m, -turn)
+  yielding.leanOn(b, k, m, -turn)
   b.snaps.lowered[i] = (b.to[k] - place) * turn
 end
 

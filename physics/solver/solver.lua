@@ -6,7 +6,7 @@
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
--- 4. Limit the motion of overlapping bodies (`relax`), let bodies go down with the ground
+-- 4. Limit the motion of overlapping bodies (`bounds`), let bodies go down with the ground
 --    (`snap`), note what is pressed and what is crushed (`notePressed`).
 --
 -- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
@@ -16,19 +16,21 @@
 -- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
+local bounds = require(root .. ".memory.lazy")(root .. ".solver.bounds")
+local clip = require(root .. ".memory.lazy")(root .. ".solver.clip")
+local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
+local islands = require(root .. ".sleep.islands")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
-local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
-local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
+local slant = require(root .. ".memory.lazy")(root .. ".solver.slant")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sweep = require(root .. ".solver.sweep")
@@ -36,7 +38,7 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local solver = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC = constants.DYNAMIC
 local floor, max, min = math.floor, math.max, math.min
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
@@ -47,11 +49,14 @@ local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
+-- How often slanted contacts are solved before the first round.
+local PRESSES = 3
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.impacts = sweep.newImpacts()
+  b.slants = { count = 0 }
 end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
@@ -68,7 +73,7 @@ local function begin(b, dt)
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
       elseif b.crowd[2 * i] > 0 and speed[k] * b.down[k] > 0 then -- a crowd does not fall
-        b.way[k] = 0.0
+        b.displacement[k] = 0.0
         path.finish(b, k, from[k], b.carried[k], 0.0)
       end
       origin[k] = from[k]
@@ -132,6 +137,20 @@ local function settleLate(b, dt, isFirst)
   end
 end
 
+-- Solves the slanted contacts of round bodies, and settles again what that has pushed. `isFirst`:
+-- nothing was swept yet, so that pairs may be added.
+local function pressRound(b, dt, isFirst)
+  for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
+    local hasNew = isFirst and (n > 1 or not slant.hasWall(b)) and slant.find(b)
+    if hasNew or slant.isViolated(b) then
+      slant.press(b)
+      settleLate(b, dt, false)
+    elseif n > 1 then
+      return
+    end
+  end
+end
+
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
@@ -146,6 +165,7 @@ local function prepare(b, dt)
     nudgeTouching(b, dt)
   end
   settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
+  pressRound(b, dt, true)
 end
 
 -- Makes the rounds, until bodies are woken. Returns whether bodies may have left the ground since
@@ -161,6 +181,7 @@ local function runRounds(b, dt, awakenings)
       walk.run(b, dt, false)
     end
     settleLate(b, dt, false)
+    pressRound(b, dt, false)
   end
   return b.overlapCount > 0 or b.isTight
 end
@@ -199,8 +220,11 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
+  if b.walks then
+    clip.run(b, dt)
+  end
   if hasChanged or b.hasRound then
-    relax.run(b, dt, hasChanged)
+    bounds.run(b, dt, hasChanged)
   end
   if b.hasSnaps then
     snap.run(b)
@@ -210,6 +234,9 @@ local function solve(b, dt)
   end
   notePressed(b, 0)
   notePressed(b, 1)
+  if b.slants.count > 0 then
+    slant.tell(b)
+  end
   return true
 end
 

@@ -5,25 +5,27 @@
 -- a step are filled. So the next step finds everything as it was.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(root .. ".fields.check")
 local allot = require(root .. ".memory.allot")
-local columns = require(root .. ".memory.columns")
-local readFields = require(root .. ".objects.readFields")
-local pairFinder = require(root .. ".broadphase.pairFinder")
+local boxes = require(root .. ".space.boxes")
+local check = require(root .. ".fields.check")
+local constants = require(root .. ".memory.constants")
 local events = require(root .. ".contacts.events")
 local fields = require(root .. ".fields.fields")
 local format = require(root .. ".state.format")
 local forms = require(root .. ".fields.forms")
-local layout = require(root .. ".memory.layout")
-local read = require(root .. ".objects.read")
 local islands = require(root .. ".sleep.islands")
+local layout = require(root .. ".memory.layout")
+local links = require(root .. ".memory.links")
+local pairFinder = require(root .. ".broadphase.pairFinder")
+local read = require(root .. ".objects.read")
+local readFields = require(root .. ".objects.readFields")
 local settings = require(root .. ".objects.settings")
 local validate = require(root .. ".state.validate")
 local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local restore = {}
 
-local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 local COLUMNS, PAIRS, VALUES = layout.KEPT, format.PAIRS, events.VALUES
 local NONE = {}
 local max, min = math.max, math.min
@@ -189,7 +191,7 @@ end
 
 local function restoreColumn(b, list, slots, entry)
   local column, width, usual = b[entry[1]], entry[2], entry[3]
-  local last = columns.lastOf(b, entry[1])
+  local last = layout.lastOf(b, entry[1])
   local model, y, hint = b[usual], width - 1, entry.hint
   if hint then
     b[hint] = b[hint] or #list > 0
@@ -219,7 +221,7 @@ local function restoreMemory(b, st, slots)
     local i = slots[n]
     b.fresh[i] = false
     islands.wake(b, i)
-    columns.stand(b, i)
+    boxes.stand(b, i)
     if b.moved[i] then
       b.movedCount = b.movedCount + 1
       b.movedList[b.movedCount] = i
@@ -232,8 +234,7 @@ local function restoreContacts(b, st, slots)
   pairFinder.run(b, slots, #slots)
   for at = 1, #list, 2 + #PAIRS do
     local one, other = list[at], list[at + 1]
-    local p = columns.pairOf(b, slots[one], slots[other])
-      or columns.link(b, slots[one], slots[other])
+    local p = links.pairOf(b, slots[one], slots[other]) or links.link(b, slots[one], slots[other])
     for c = 1, #PAIRS do
       local value = list[at + 1 + c]
       if b.pairA[p] ~= slots[one] and value ~= PAIRS[c][2] then
@@ -256,7 +257,7 @@ local function restoreTouching(b, st, objects, slots)
   for at = 1, #st.touching, 5 do
     local touching = b.touching[slots[st.touching[at]]]
     for side = 1, touching and 4 or 0 do
-      touching[columns.SIDES[side]] = objects[st.touching[at + side]] or false
+      touching[constants.SIDES[side]] = objects[st.touching[at + side]] or false
     end
   end
 end

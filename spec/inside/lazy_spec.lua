@@ -24,7 +24,7 @@ describe("a part of the library that the first step does not need", function()
     { "maps.tiled", "loadTiled", {} },
     { "motion.drift", "=", "soft", { boxes = { boxes = 100 } } },
     { "queries.move", "move", "box", 8, 8 },
-    { "solver.relax", "add", "balls", { x = 0, y = 0, radius = 9 } },
+    { "solver.bounds", "add", "balls", { x = 0, y = 0, radius = 9 } },
     { "state.save", "save" },
     { "world.draw", "draw" },
     { "world.checked", "=", "checked", true },

@@ -104,7 +104,8 @@ describe("shapes.gap and shapes.meet", function()
           assert.is_true(true_ > 1e-9 or gap <= 1e-9, NAMES[b])
         end
         local dx, dy = random:between(-20, 20), random:between(-20, 20)
-        local share = shapes.meet(a, x, y, w, h, b, ox, oy, ow, oh, dx, dy, n % 2, 0, 0)
+        shapes.setPair(a, x, y, w, h, b, ox, oy, ow, oh)
+        local share = shapes.meet(dx, dy, n % 2, 0, 0)
         if gap > 1e-6 then
           local past = share or 2
           assert.is_false(overlapsBefore(past, a, x, y, w, h, b, ox, oy, ow, oh, dx, dy), NAMES[b])
@@ -125,7 +126,8 @@ describe("shapes.meet", function()
     it(
       ("leaves by the nearest side, or by the one it came in by: %d px ago"):format(way),
       function()
-        local share, nx, ny, _, isDeep = shapes.meet(0, 10, 0, 8, 8, 0, 8, 0, 8, 8, 1, 0, 1, way, 0)
+        shapes.setPair(0, 10, 0, 8, 8, 0, 8, 0, 8, 8)
+        local share, nx, ny, _, isDeep = shapes.meet(1, 0, 1, way, 0)
         assert.same({ 0, side, 0, true }, { share, nx, ny, isDeep })
       end
     )

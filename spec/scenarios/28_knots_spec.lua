@@ -1,5 +1,5 @@
---- Knots (physics/solver/relax.lua): bodies that overlap and have no room stand still, and begin
---- anew when there may be some.
+--- Knots (overlaps/patience.lua): bodies that overlap and have no room stand still, and begin anew
+--- when there may be some.
 
 local overlap = require("spec.support.overlap").depth
 local physics = require("physics")

@@ -6,14 +6,15 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
-local columns = require(root .. ".memory.columns")
+local constants = require(root .. ".memory.constants")
+local links = require(root .. ".memory.links")
 local path = require(root .. ".motion.path")
-local touch = require(root .. ".solver.touch")
+local touch = require(root .. ".narrowphase.touch")
 
 local rules = {}
 
-local DYNAMIC, neighbours = columns.DYNAMIC, columns.neighbours
-local OPPOSITE, SIDE, SIDES = columns.OPPOSITE, columns.SIDE, columns.SIDES
+local DYNAMIC, neighbours = constants.DYNAMIC, links.neighbours
+local OPPOSITE, SIDE, SIDES = constants.OPPOSITE, constants.SIDE, constants.SIDES
 local floor = math.floor
 
 -- Returns whether slot i is a one-way object that is open on `side`.
@@ -35,8 +36,8 @@ end
 
 -- Returns whether one of i and j falls through the other because of that.
 local function isDropping(b, i, j)
-  local mine, its = b.oneWay[i], b.oneWay[j]
-  return its and isFalling(b, i, its) or mine and isFalling(b, j, mine)
+  local ownSide, otherSide = b.oneWay[i], b.oneWay[j]
+  return otherSide and isFalling(b, i, otherSide) or ownSide and isFalling(b, j, ownSide)
 end
 
 --- Returns whether i and j, which meet on `side` of i, pass through each other because one is a
@@ -77,15 +78,15 @@ function rules.permits(b, low, high, axis)
     return true
   end
   -- The answer may be different in the next step, so these two must not sleep.
-  b.heard[low], b.heard[high] = true, true
+  b.isPolled[low], b.isPolled[high] = true, true
   local i, j, side = low, high, 2 * axis + 2
   if b.rank[high] < b.rank[low] then
     i, j, side = high, low, 2 * axis + 1
   end
-  local one, other, its = b.object[i], b.object[j], SIDES[side]
-  return answer(b, b.canCollide[i], one, other, its)
+  local one, other, sideName = b.object[i], b.object[j], SIDES[side]
+  return answer(b, b.canCollide[i], one, other, sideName)
     and answer(b, b.canCollide[j], other, one, SIDES[OPPOSITE[side]])
-    and answer(b, b.worldCanCollide, one, other, its)
+    and answer(b, b.worldCanCollide, one, other, sideName)
 end
 
 --- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the

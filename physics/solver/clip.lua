@@ -1,0 +1,351 @@
+---@diagnostic disable
+--- Clip: computes where a box ends in a room that slopes narrow. What stands still crushes nothing.
+--
+-- Settling looks at one axis at a time, and for it a slope is only another distance. In a wedge
+-- that is not enough: along y the box does not fit, although it has only to stop along x.
+--
+--          ______________ ceiling     Each face in the way is a half-plane, in which the box must
+--      [ box ]-> .-'                  stay. It ends at the point of all of them that is nearest to
+--             .-'                     where it was going: there, on one of the faces, or in the
+--          .-' slope                  corner of two.
+--
+-- Where the box began the step it was in the half-planes of all that stands still. So there always
+-- is such a point: nothing that stands still crushes it, and it ends in none of that. If two faces
+-- close on each other, it is left to `settle.squeeze`: machines do crush.
+--
+-- Source: clipping a move against planes, and then against the crease of two (`SV_FlyMove` in the
+-- game Quake); here for the nearest point, which is exact in two dimensions.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local boxes = require(root .. ".space.boxes")
+local constants = require(root .. ".memory.constants")
+local contacts = require(root .. ".solver.contacts")
+local links = require(root .. ".memory.links")
+local filter = require(root .. ".broadphase.filter")
+local path = require(root .. ".motion.path")
+local rounds = require(root .. ".solver.rounds")
+local settle = require(root .. ".solver.settle")
+local shapes = require(root .. ".space.shapes")
+local touch = require(root .. ".narrowphase.touch")
+
+local clip = {}
+
+local AXIS, APART = constants.AXIS, contacts.APART
+local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
+local neighbours = links.neighbours
+local isBox, isRound, BOX = shapes.isBox, shapes.isRound, shapes.BOX
+local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
+-- How often all are clipped in a step: what was stopped is in the way of others.
+local PASSES = 4
+-- Walls that are in the way of one box, beside what it touches.
+local MOST = 8
+-- px by which a place may be outside of a half-plane, as it is rounded.
+local ROUNDING = 1e-7
+-- px by which a box may be in a wall where the step begins.
+local NEAR = 0.001
+-- Two faces are parallel if the sine between them is less.
+local PARALLEL = 1e-6
+-- px/s: slower things stand still.
+local STILL = 1e-6
+
+-- Half-planes -------------------------------------------------------------------------------------
+
+-- Those of the box that is looked at: it must be at nx * x + ny * y >= least. The face belongs to
+-- slot `wall`, and the box leans on it with that side.
+local count = 0
+local nx, ny, least, wall, side = {}, {}, {}, {}, {}
+
+local function setPlane(n, x, y, place, j, itsSide)
+  nx[n], ny[n], least[n], wall[n], side[n] = x, y, place, j, itsSide
+end
+
+-- Adds a half-plane. Of two with one normal the narrower one counts.
+local function addPlane(b, x, y, place, j, itsSide)
+  local n = 1
+  while n <= count and not (nx[n] == x and ny[n] == y) do
+    n = n + 1
+  end
+  local isNew = n > count
+  count = max(count, n)
+  if isNew or place > least[n] or place == least[n] and b.rank[j] < b.rank[wall[n]] then
+    setPlane(n, x, y, place, j, itsSide)
+  end
+end
+
+-- Forgets all half-planes but n and m, of which m is the first, or 0: none; so may be both.
+local function keepOnly(n, m)
+  count = (n > 0 and 1 or 0) + (m > 0 and 1 or 0)
+  for at = 1, count do
+    local from = at < count and m or n
+    setPlane(at, nx[from], ny[from], least[from], wall[from], side[from])
+  end
+end
+
+local function isIn(x, y)
+  for n = 1, count do
+    if nx[n] * x + ny[n] * y < least[n] - ROUNDING then
+      return false
+    end
+  end
+  return true
+end
+
+-- The point of half-plane n that is nearest to (x, y), or its corner with half-plane m, if that is
+-- not 0; nil: the two are parallel.
+local function pointOf(n, m, x, y)
+  if m == 0 then
+    local way = max(least[n] - nx[n] * x - ny[n] * y, 0.0)
+    return x + nx[n] * way, y + ny[n] * way
+  end
+  local sine = nx[n] * ny[m] - ny[n] * nx[m]
+  if sine > PARALLEL or sine < -PARALLEL then
+    local atX, atY = least[n] * ny[m] - least[m] * ny[n], least[m] * nx[n] - least[n] * nx[m]
+    return atX / sine, atY / sine
+  end
+end
+
+-- The point in all half-planes that is nearest to (x, y), at most `most` away, and the one or two
+-- on which it is (0: none); nil: there is no such point.
+local function nearest(x, y, most)
+  if isIn(x, y) then
+    return x, y, 0, 0
+  end
+  local bestX, bestY, one, other, best = nil, nil, 0, 0, most * most
+  for n = 1, count do
+    for m = 0, n - 1 do
+      local atX, atY = pointOf(n, m, x, y)
+      local far = atX and (atX - x) * (atX - x) + (atY - y) * (atY - y)
+      if far and far < best and isIn(atX, atY) then
+        bestX, bestY, one, other, best = atX, atY, n, m, far
+      end
+    end
+  end
+  return bestX, bestY, one, other
+end
+
+-- How fast slot `wall` of half-plane n goes along the normal of half-plane m, px/s.
+local function speedAlong(b, n, m)
+  local k = 2 * wall[n]
+  return nx[m] * b.speed[k] + ny[m] * b.speed[k + 1]
+end
+
+-- Whether each of two half-planes moves along the normal of the other one. (A train under a ceiling
+-- goes along its own face: it closes on nothing.)
+local function areClosing(b, n, m)
+  local one = speedAlong(b, n, n) - speedAlong(b, m, n)
+  local other = speedAlong(b, n, m) - speedAlong(b, m, m)
+  return max(one, -one) > STILL and max(other, -other) > STILL
+end
+
+-- What is in the way ------------------------------------------------------------------------------
+
+-- Goes on with `room` and `wall` along the contacts of an axis, from low bodies to high ones
+-- (`sign` 1) or back (-1).
+local function spread(b, list, room, walls, sign)
+  local near, far, first, last = list.low, list.high, 1, list.count
+  if sign < 0 then
+    near, far, first, last = list.high, list.low, list.count, 1
+  end
+  for c = first, last, sign do
+    local k, m = near[c], far[c]
+    local place = room[k] + sign * list.separation[c]
+    if b.give[m] > 0 and place * sign > room[m] * sign then
+      room[m], walls[m] = place, walls[k]
+    end
+  end
+end
+
+-- Notes how far everything can go along an axis towards what cannot move, directly or through
+-- others, and what that is. (Where things are squeezed now, they are in each other.)
+local function findRoom(b, axis)
+  local list, give, to = b.contacts[axis], b.give, b.to
+  for c = 1, list.count do
+    for n = 1, 2 do
+      local k = n == 1 and list.low[c] or list.high[c]
+      b.roomLow[k], b.roomHigh[k] = give[k] == 0 and to[k] or -huge, give[k] == 0 and to[k] or huge
+      b.wallLow[k], b.wallHigh[k] = floor(k * 0.5), floor(k * 0.5)
+    end
+  end
+  spread(b, list, b.roomLow, b.wallLow, 1)
+  spread(b, list, b.roomHigh, b.wallHigh, -1)
+end
+
+-- Adds the half-planes of what box i touches, but for edges of slopes.
+local function addRoom(b, i)
+  for _, j, p in neighbours(b, i) do
+    if b.touches[p] ~= APART and not touch.haveFaces(b, i, j) then
+      local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
+      local axis, isLow = kl % 2, floor(kl * 0.5) == i
+      if isLow and b.roomHigh[kh] < huge then
+        local place = separation - b.roomHigh[kh]
+        addPlane(b, axis - 1, -axis, place, b.wallHigh[kh], 2 * axis + 2)
+      elseif not isLow and b.roomLow[kl] > -huge then
+        addPlane(b, 1 - axis, axis, b.roomLow[kl] + separation, b.wallLow[kl], 2 * axis + 1)
+      end
+    end
+  end
+end
+
+-- px from box i at (x, y) to the nearest face of slot j, at moment t; its normal, and whether it is
+-- an edge.
+local function face(b, i, j, x, y, t)
+  local size, k, m, start = b.size, 2 * i, 2 * j, b.time[j]
+  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+  local ox, oy = path.at(b, m, start, t), path.at(b, m + 1, start, t)
+  return shapes.face(BOX, x, y, w, h, b.shape[j], ox, oy, ow, oh, path.axisOf(b, i))
+end
+
+-- Whether slot j, of pair p, stops box i, and does not give way.
+local function isWall(b, p, i, j)
+  local isFlat = b.kind[j] ~= DYNAMIC and not isRound[b.shape[j]]
+  return isFlat and not b.passing[p] and filter.blocks(b, i, j)
+end
+
+-- Returns the wall that box i would be deepest in at (x, y), at moment t; nil: it would be in none.
+local function wallAt(b, i, x, y, t)
+  local deepest, first = -2 * EPSILON, nil
+  for _, j, p in neighbours(b, i) do
+    local gap = isWall(b, p, i, j) and face(b, i, j, x, y, t) or 0.0
+    if gap < deepest or first and gap == deepest and b.rank[j] < b.rank[first] then
+      deepest, first = gap, j
+    end
+  end
+  return first
+end
+
+-- px that slot i goes in the step.
+local function wayOf(b, i, from)
+  local x, y = b.to[2 * i] - from[2 * i], b.to[2 * i + 1] - from[2 * i + 1]
+  return sqrt(x * x + y * y)
+end
+
+-- Adds the half-plane of slot j: that of the face which box i was in front of at moment t, when it
+-- was at (x, y). Returns whether it was. (The face goes where slot j goes.)
+local function addFace(b, i, j, x, y, t)
+  local gap, faceX, faceY, isEdge = face(b, i, j, x, y, t)
+  local m, start, to = 2 * j, b.time[j], b.to
+  x, y = x + to[m] - path.at(b, m, start, t), y + to[m + 1] - path.at(b, m + 1, start, t)
+  local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, path.axisOf(b, i))
+  addPlane(b, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
+  return gap >= -2 * EPSILON
+end
+
+-- Returns where box i ends, if it is to come to no wall, and leaves the half-planes on which it is
+-- there; nil: there is no such place. It is no further from where box i was going than where that
+-- began, which goes with the walls. Faces are those in front of which it was when its path began,
+-- or if that was in a wall, when the step began.
+local function findPlace(b, i)
+  local k, most, start, t = 2 * i, wayOf(b, i, b.origin) + NEAR, b.from, b.time[i]
+  if wallAt(b, i, start[k], start[k + 1], t) then
+    start, t = b.origin, 0
+  end
+  count = 0
+  addRoom(b, i)
+  for n = 1, count do
+    most = most + wayOf(b, wall[n], b.from)
+  end
+  for _ = 1, MOST do
+    local x, y, one, other = nearest(b.to[k], b.to[k + 1], most)
+    local j = x and wallAt(b, i, x, y, 1)
+    if not j then
+      local isFree = x and not (other > 0 and areClosing(b, one, other))
+      keepOnly(one, other)
+      return isFree and x, y
+    elseif not addFace(b, i, j, start[k], start[k + 1], t) then
+      return nil
+    end
+    most = most + wayOf(b, j, b.from)
+  end
+end
+
+-- Clipping ----------------------------------------------------------------------------------------
+
+-- Notes that half-plane n, if it is an edge, is a wall for box i, too: it is in a corner.
+local function block(b, i, n)
+  local t = 1 - AXIS[side[n]]
+  local across = t == 0 and nx[n] or ny[n]
+  if across ~= 0 then
+    local pressed, last = across < 0 and b.pressedHigh or b.pressedLow, b.blockedCount + 1
+    pressed[2 * i + t] = true
+    b.blockedCount = last
+    b.blocked[2 * last - 1], b.blocked[2 * last] = 4 * i + 2 * t + (across < 0 and 2 or 1), wall[n]
+  end
+end
+
+-- Puts box i, which leans on the half-planes that are left, at (x, y). Its velocity is the nearest
+-- one at which it goes into none of them.
+local function put(b, i, x, y)
+  local k = 2 * i
+  for n = 1, count do
+    local pressed = side[n] % 2 == 0 and b.pressedHigh or b.pressedLow
+    pressed[k + AXIS[side[n]]] = true
+    if count == 2 then
+      block(b, i, n)
+    end
+    least[n] = speedAlong(b, n, n)
+  end
+  local vx, vy = nearest(b.speed[k], b.speed[k + 1], huge)
+  path.finish(b, k, x, vx + 0.0, 0.0) -- (-0 + 0 is 0)
+  path.finish(b, k + 1, y, vy + 0.0, 0.0)
+  b.squeezed[k], b.squeezed[k + 1], b.give[k], b.give[k + 1] = 0, 0, 0, 0
+end
+
+-- Whether box i and slot j, of pair p, were both clipped, one into the other.
+local function areCaught(b, p, i, j)
+  local areFixed = b.kind[j] == DYNAMIC and b.give[2 * i] == 0 and b.give[2 * j] == 0
+  return areFixed and b.touches[p] ~= APART and boxes.gap(b, b.to, i, j) < -EPSILON
+end
+
+-- Returns whether box i has a slope beside it, and is in that, or squeezed.
+local function isSqueezed(b, i)
+  local k, to = 2 * i, b.to
+  local isCaught = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0
+  for _, j, p in neighbours(b, i) do
+    local isClose = touch.haveFaces(b, i, j) and (isCaught or boxes.gap(b, to, i, j) < -EPSILON)
+    if areCaught(b, p, i, j) then
+      return true
+    elseif isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON) then
+      if isWall(b, p, i, j) then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+-- Clips the ways of all that need it. Returns whether there were any.
+local function clipAll(b)
+  local hasRoom, hasClipped = false, false
+  for n = 1, b.awakeCount do
+    local i = b.awakeList[n]
+    local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
+    if isMovable and isSqueezed(b, i) then
+      if not hasRoom then
+        findRoom(b, 0)
+        findRoom(b, 1)
+        hasRoom = true
+      end
+      local x, y = findPlace(b, i)
+      if x then
+        put(b, i, x, y)
+        hasClipped = true
+      end
+    end
+  end
+  return hasClipped
+end
+
+--- Clips the ways of all boxes that end in a slope, or that one squeezes, and settles what leans on
+--- them.
+function clip.run(b, dt)
+  for _ = 1, PASSES do
+    if not clipAll(b) then
+      return
+    end
+    settle.axis(b, 0, dt, true)
+    settle.axis(b, 1, dt, true)
+    rounds.findChanged(b)
+  end
+end
+
+return clip
