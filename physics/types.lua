@@ -13,7 +13,7 @@
 ---@field height number px, > 0
 ---@field [string|number] any
 
---- What a dynamic object touches on each side: the neighbour with the widest common edge, or false.
+--- The neighbours of a dynamic object: on each side the one with the widest common edge, or false.
 ---@class physics.Touching
 ---@field top physics.Object|false
 ---@field bottom physics.Object|false
@@ -144,11 +144,11 @@
 ---@field vx number
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
 ---@field vy number
---- What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other object or
+--- The neighbours of a dynamic object: `top`, `bottom`, `left` and `right`, each an object or
 --- `false`. An object that was hit in the last update, and left again, counts.
 ---@field touching physics.Touching
 
---- What the field `area` of a zone may hold.
+--- The entries of the field `area` of a zone.
 ---@class physics.Area
 --- px/s², default that of the object. Replaces the downward gravity of what is inside. A negative
 --- one lifts, as in water.
@@ -336,7 +336,7 @@ function default.remove(object) end
 --- static object. Queries see the change at once.
 ---
 --- On a kinematic object it also means "it is there now". Without `refresh` it gets to the `x, y`
---- that you write during the next step, and pushes what is in its way.
+--- that you write during the next step, and pushes objects on its way.
 ---
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
@@ -410,7 +410,7 @@ function default.shift(dx, dy) end
 ---@param radius number px, > 0
 ---@param impulse number px/s times mass, at the centre; < 0: towards the centre
 ---@param filter physics.Filter? which objects are pushed, default all
----@param walls physics.Filter? what is in the way, default nothing
+---@param walls physics.Filter? objects that shield others, default none
 ---@return physics.Object[] objects those that were pushed, in the order of the world
 ---@return integer count
 function default.explode(x, y, radius, impulse, filter, walls) end
@@ -474,7 +474,7 @@ function default.loadLDtk(project, level, options) end
 --- another Lua. See docs/state.md.
 ---
 --- Of your own fields only those that `ownFields` names are saved, and no functions. A state that
---- is saved inside a callback holds what is still to come of this step's events.
+--- is saved inside a callback holds the events of this step that are still to come.
 ---
 --- Errors: a field or setting that `update` would refuse; a value in `ownFields` that cannot be
 --- saved; `out` is not a table; it is called from inside `canCollide`.
@@ -482,7 +482,7 @@ function default.loadLDtk(project, level, options) end
 ---@return physics.State state
 function default.save(out) end
 
---- Makes this world what it was when the state was saved. That itself calls no callback.
+--- Puts this world back to the moment at which the state was saved. That itself calls no callback.
 ---
 --- Objects that were added since then leave, removed ones come back, and all get their saved
 --- fields. In this same world each object is the very table that it was. A state from elsewhere is
@@ -490,7 +490,7 @@ function default.save(out) end
 ---
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
----@param saved physics.State what `save` returned, or a copy
+---@param saved physics.State the result of `save`, or a copy
 ---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
 function default.restore(saved) end
 
@@ -566,7 +566,7 @@ function default.nearest(x, y, radius, filter) end
 ---@param height number px, > 0
 ---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
 ---@return boolean fits
----@return physics.Object? other what is in the way, the first in the order of the world
+---@return physics.Object? other the obstacle, the first in the order of the world
 function default.fits(x, y, width, height, filter) end
 
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
@@ -608,7 +608,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---@return number fraction of the line, 0..1
 function default.raycast(x1, y1, x2, y2, filter) end
 
---- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
+--- Returns the obstacle that would stop an object on its way by (dx, dy), and where the object
+--- would be then.
 --- Nothing moves.
 ---
 --- Solid objects stop it, if no mask says otherwise; one-way objects stop it on their solid side;
@@ -641,7 +642,7 @@ function default.sweep(object, dx, dy, filter) end
 ---@return integer count
 function default.overlapping(object, filter, out) end
 
---- Returns what an object stands on, and how steep that is: px along y for each px along x. It is
+--- Returns the ground of an object, and how steep that is: px along y for each px along x. It is
 --- -0.5 on a slope that rises to the right by 1 px in 2. A sprite that leans with the ground turns
 --- by `math.atan(gradient)`. Where gravity acts sideways both axes change places.
 ---
@@ -690,13 +691,13 @@ function default.explain(a, b) end
 --- inactive objects are faint, the solid side of a one-way object is yellow.
 ---
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
----@param options physics.DrawOptions? what to show
+---@param options physics.DrawOptions? the parts that are shown
 function default.draw(options) end
 
 --- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from
 --- its place before the last step to its place now, by the share `world.alpha`. Without a
---- `timestep` it is `object.x, object.y`, as for what is new, static, or was put somewhere by the
---- game.
+--- `timestep` it is `object.x, object.y`, as for an object that is new, static, or was put somewhere
+--- by the game.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw

@@ -22,7 +22,7 @@ same texts while you type. The [guide](guide/index.md) explains the ideas.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
-- A `?` marks what you may leave out, and a result that may be nil.
+- A `?` marks an argument that you may leave out, and a result that may be nil.
 - Every method of a world is also a function of the module, for the default world:
   `physics.update(dt)`.
 - A wrong value raises an error at the line of your game, and nothing has changed.
@@ -41,7 +41,7 @@ y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
 ]]
 
 local AREAS = [[
-What the field `area` of a [zone](../guide/motion.md#zones) may hold.
+The entries of the field `area` of a [zone](../guide/motion.md#zones).
 ]]
 
 local SETTINGS = [[
@@ -60,8 +60,8 @@ Pure functions of the tutorial. They need no world.
 ]]
 
 local QUERIES = [[
-Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) shows
-which one answers what.
+Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) has a
+table of questions.
 
 - `filter` says which objects count, default all: the name of a group, a list of names, or a
   function of the object.
@@ -82,12 +82,12 @@ How to make maps that work: [Maps](../maps.md).
 ]]
 
 local ATLAS = [[
-What `world:loadTiled` returns for a world of the editor: see
+The result of `world:loadTiled` for a world of the editor: see
 [Maps](../maps.md#worlds-of-several-maps).
 ]]
 
 local TILES = [[
-What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk.
+The result of `world:addTiles`, and the values of `level.tileLayers` of a map from Tiled or LDtk.
 ]]
 
 -- What each page of docs/api/ is about, in the order of the index.
@@ -557,17 +557,6 @@ end
 
 -- The pages --------------------------------------------------------------------------------------
 
--- A line of links to the functions of a page, so that one is found without scrolling.
-local function addMenu(lines, page, owner)
-  local names = {}
-  for _, each in ipairs(functions()) do
-    if each.page == page and (not owner or each.owner == owner) then
-      names[#names + 1] = ("[%s](%s)"):format(each.entry.name, anchorOf(each.name))
-    end
-  end
-  add(lines, table.concat(names, ", "), "")
-end
-
 local function addFunctions(lines, page, owner)
   for _, each in ipairs(functions()) do
     if each.page == page and each.owner == owner then
@@ -593,7 +582,6 @@ end
 function write.world(lines)
   add(lines, WORLD)
   addWorldFields(lines)
-  addMenu(lines, "world")
   addFunctions(lines, "world", "physics")
   addFunctions(lines, "world", "World")
   add(lines, "## The tutorial's functions", "", PURE)
@@ -602,13 +590,11 @@ end
 
 function write.queries(lines)
   add(lines, QUERIES)
-  addMenu(lines, "queries")
   addFunctions(lines, "queries", "World")
 end
 
 function write.maps(lines)
   add(lines, MAPS)
-  addMenu(lines, "maps")
   addFunctions(lines, "maps", "World")
   add(lines, "## Tiles", "", TILES)
   addFunctions(lines, "maps", "Tiles")

@@ -17,6 +17,7 @@ NOT_YET=scripts/words_not_yet.txt
 # Lines that mean a person, or that are these words: FILE:PART OF THE LINE.
 EXCEPTIONS='
 scripts/words.sh:WORDS=
+CODE_OF_CONDUCT.md:
 '
 
 list_files() {
