@@ -428,15 +428,15 @@ function default.explode(x, y, radius, impulse, filter, walls) end
 function default.setBounds(x, y, w, h) end
 
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
---- rectangles. What is not supported is listed in `unsupported` of the result. A decoded `.world`
---- file is several maps: `options.folder` says where they are. See docs/maps.md.
+--- rectangles. Parts that are not supported are listed in `unsupported` of the result. A decoded
+--- `.world` file is several maps: `options.folder` says where they are. See docs/maps.md.
 ---
---- Errors: the map does not exist, or a part is damaged; an option is unknown, or names what is not
---- in the map; with `strict` a property cannot be used; a group is an object; it is called from
---- inside `canCollide`. Nothing has been added then.
+--- Errors: the map does not exist, or a part is damaged; an option is unknown, or names a thing
+--- that is not in the map; with `strict` a property cannot be used; a group is an object; it is
+--- called from inside `canCollide`. Nothing has been added then.
 ---@param map table|string the path of the export, the table that it or STI returns, or a decoded .world file
----@param options physics.TiledOptions? where the map goes, and what of it is solid
----@return physics.Level|physics.Atlas level what was added, and what is not supported
+---@param options physics.TiledOptions? where the map goes, and which parts are solid
+---@return physics.Level|physics.Atlas level the objects that were added, and the parts that were left out
 function default.loadTiled(map, options) end
 
 --- Adds the tiles of a plain array as static objects. Equal cells are merged into few large
@@ -460,12 +460,12 @@ function default.addTiles(group, cells, columns, size, options) end
 --- objects, and its entities with their fields. See docs/maps.md.
 ---
 --- Errors: the level does not exist, is in another file, or a part is damaged; an option is
---- unknown, or names what is not in the level; with `strict` a field cannot be used; a group is an
---- object; it is called from inside `canCollide`. Nothing has been added then.
+--- unknown, or names a thing that is not in the level; with `strict` a field cannot be used; a group
+--- is an object; it is called from inside `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
----@param options physics.LDtkOptions? where the level goes, and what of it is solid
----@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
+---@param options physics.LDtkOptions? where the level goes, and which parts are solid
+---@return physics.LDtkLevel level the objects that were added, counts, and the parts that were left out
 ---@diagnostic disable-next-line: redefined-local
 function default.loadLDtk(project, level, options) end
 
@@ -696,8 +696,8 @@ function default.draw(options) end
 
 --- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from
 --- its place before the last step to its place now, by the share `world.alpha`. Without a
---- `timestep` it is `object.x, object.y`, as for an object that is new, static, or was put somewhere
---- by the game.
+--- `timestep` it is `object.x, object.y`, as for an object that is new, static, or was put
+--- somewhere by the game.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw
