@@ -22,9 +22,9 @@
 
 --- What an object may have beside its place and size.
 ---@class physics.ObjectFields
---- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along x. For a rider it is relative to the carrier.
 ---@field vx? number
---- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along y, downwards. For a rider it is relative to the carrier.
 ---@field vy? number
 --- px/s², default 0. A constant acceleration along x: an engine, a magnet.
 ---@field ax? number
@@ -40,13 +40,13 @@
 ---@field active? boolean
 --- default false. It reports contacts, but nothing bumps into it.
 ---@field sensor? boolean
---- default none. Makes a sensor a zone: what acts on the dynamic objects inside it, as water, wind,
---- a magnet.
+--- default none. Makes a sensor a zone, which acts on dynamic objects inside it: water, wind, a
+--- magnet.
 ---@field area? physics.Area
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
---- default 0. Of two objects the one with the larger strength is not moved by the other, and pushes
---- it as if that had a fifth of its mass.
+--- default 0. The stronger of two objects is not moved by the weaker one, whose mass counts only a
+--- fifth.
 ---@field strength? number
 --- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
 ---@field mass? number
@@ -64,7 +64,8 @@
 ---@field airFriction? number
 --- px/s², >= 0, default 0. A constant deceleration towards 0, as on a floor seen from above.
 ---@field drag? number
---- px/s, >= 0, default none. The limit of the speed, that is of the length of the velocity.
+--- px/s, >= 0, default none. The limit of the speed, that is of the length of the velocity. At a
+--- static wall it holds along each axis alone.
 ---@field maxSpeed? number
 --- px/s, >= 0, default none. The limit of the speed along x, in both directions.
 ---@field maxSpeedX? number
@@ -89,10 +90,10 @@
 --- above.
 ---@field slope? "left"|"right"|"topleft"|"topright"
 --- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
---- them.
+--- them, and launches them upwards.
 ---@field carry? boolean
---- px/s, default 0. A conveyor: what stands on it moves along x at this speed; along y where
---- gravity acts sideways.
+--- px/s, default 0. A conveyor: objects on it move along x at this speed, also on a slope; along y
+--- where gravity acts sideways.
 ---@field surfaceSpeed? number
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
 --- most this much slides past it.
@@ -140,9 +141,9 @@
 
 --- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.
 ---@class physics.Object: physics.NewBox, physics.Box
---- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along x. For a rider it is relative to the carrier.
 ---@field vx number
---- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along y, downwards. For a rider it is relative to the carrier.
 ---@field vy number
 --- The neighbours of a dynamic object: `top`, `bottom`, `left` and `right`, each an object or
 --- `false`. An object that was hit in the last update, and left again, counts.
@@ -150,10 +151,10 @@
 
 --- The entries of the field `area` of a zone.
 ---@class physics.Area
---- px/s², default that of the object. Replaces the downward gravity of what is inside. A negative
+--- px/s², default that of the object. Replaces the downward gravity of objects inside. A negative
 --- one lifts, as in water.
 ---@field gravity? number
---- px/s², default that of the object. Replaces the sideways gravity of what is inside.
+--- px/s², default that of the object. Replaces the sideways gravity of objects inside.
 ---@field gravityX? number
 --- px/s², default 0. An acceleration along x on top: wind.
 ---@field ax? number
@@ -217,19 +218,18 @@
 --- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
 --- with one, `stats` tells how long the stages of the last step have taken.
 ---@field profile? fun(): number
---- default none. Called before every step, of dt s: the place for controllers. What it writes
---- counts in that step.
+--- default none. Called before every step, of dt s: the place for controllers. Its changes count in
+--- that step.
 ---@field onStep? fun(dt: number)
---- default none. As `onBegin` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onBegin` of an object; `a` comes before `b` in the order of the world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. As `onStay` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onStay` of an object; `a` comes before `b` in the order of the world.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. As `onEnd` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onEnd` of an object; `a` comes before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. As `onCrush` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onCrush` of an object; `a` comes before `b` in the order of the world.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. As `canCollide` of an object. Of two, `a` is before `b` in the order of the
---- world.
+--- default always. As `canCollide` of an object; `a` comes before `b` in the order of the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The settings as fields of a world. They may change between two updates.
@@ -279,19 +279,18 @@
 --- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
 --- with one, `stats` tells how long the stages of the last step have taken.
 ---@field profile? fun(): number
---- default none. Called before every step, of dt s: the place for controllers. What it writes
---- counts in that step.
+--- default none. Called before every step, of dt s: the place for controllers. Its changes count in
+--- that step.
 ---@field onStep? fun(dt: number)
---- default none. As `onBegin` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onBegin` of an object; `a` comes before `b` in the order of the world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. As `onStay` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onStay` of an object; `a` comes before `b` in the order of the world.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. As `onEnd` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onEnd` of an object; `a` comes before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. As `onCrush` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onCrush` of an object; `a` comes before `b` in the order of the world.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. As `canCollide` of an object. Of two, `a` is before `b` in the order of the
---- world.
+--- default always. As `canCollide` of an object; `a` comes before `b` in the order of the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The default world, on which the functions of the module work.
@@ -460,8 +459,8 @@ function default.addTiles(group, cells, columns, size, options) end
 --- objects, and its entities with their fields. See docs/maps.md.
 ---
 --- Errors: the level does not exist, is in another file, or a part is damaged; an option is
---- unknown, or names a thing that is not in the level; with `strict` a field cannot be used; a group
---- is an object; it is called from inside `canCollide`. Nothing has been added then.
+--- unknown, or names a thing that is not in the level; with `strict` a field cannot be used; a
+--- group is an object; it is called from inside `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
 ---@param options physics.LDtkOptions? where the level goes, and which parts are solid
@@ -589,7 +588,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
 ---     ends on an edge             hits at fraction 1
 ---     runs along an edge          hits the object below it or to its right
----     grazes a corner             no hit
+---     grazes a corner             no hit, also between two tiles that meet there only
+---     meets a one-way object      hits it from all sides: give a filter
 ---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/gridLines.lua).
