@@ -24,6 +24,7 @@ function love.conf(t)
   t.window.width = view.width
   t.window.height = view.height
   t.window.resizable = true
+  t.window.highdpi = true -- all pixels of a fine screen
   t.window.vsync = script.isOn and 0 or 1
   -- The library is pure Lua: it needs neither love.physics nor anything else of LÖVE.
   t.modules.physics = false

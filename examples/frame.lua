@@ -144,8 +144,10 @@ local function drawGame()
   if viewed > 0 and example.world then
     drawPhysics()
   end
-  look.panel(0, view.height - BAR, view.gameWidth, BAR, 0)
-  look.keys(example.keys, 16, view.height - BAR + 5)
+  if view.hasKeys then
+    look.panel(0, view.height - BAR, view.gameWidth, BAR, 0)
+    look.keys(example.keys, 16, view.height - BAR + 5)
+  end
 end
 
 function frame.draw()

@@ -176,7 +176,7 @@ local function drawRange(depth, base, height, length, color, alpha)
   look.color(color, alpha)
   base = base - camera.y * depth * 0.5
   local lastX, lastY ---@type number?, number?
-  for x = 0, 960, 12 do
+  for x = 0, view.gameWidth + 12, 12 do
     local place = (x + camera.x * depth) / length
     local y = base - love.math.noise(place, depth * 50) * height
     y = y - love.math.noise(place * 5, depth * 20) * height * 0.08
@@ -200,11 +200,12 @@ end
 function scenery.drawBackground()
   look.sky("blue", "sky", "cyan", "yellow")
   look.color("yellow", 0.6)
-  love.graphics.draw(glow, 740, 120, 0, 200)
+  love.graphics.draw(glow, view.gameWidth - 220, 120, 0, 200)
   look.color("white")
-  love.graphics.circle("fill", 740, 120, 40)
+  love.graphics.circle("fill", view.gameWidth - 220, 120, 40)
   for i = 0, 5 do
-    local x = (i * 290 + clock * (5 + i % 3 * 3) - camera.x * 0.08) % 1300 - 170
+    local x = i * 290 + clock * (5 + i % 3 * 3) - camera.x * 0.08
+    x = x % (view.gameWidth + 340) - 170
     drawCloud(x, 70 + i * 53 % 170 - camera.y * 0.05, 60 + i * 37 % 50)
   end
   drawRange(0.15, 560, 330, 260, "sky", 0.65)

@@ -1,5 +1,6 @@
 -- A factory. What stands on a lift or a belt rides along, and so does what stands on a rider. You
--- can jump through shelves from below. The press crushes what is under it. Take the five coins.
+-- can jump through shelves from below. The press crushes what is under it, and guards a coin. Take
+-- all five, as fast as you can.
 
 local boxes = require("boxes")
 local hero = require("hero")
@@ -12,6 +13,12 @@ local lifts = {
 
 local CRATE, SHEET = 32, 4 -- px, the height of a crate before and after the press
 local CRATE_EVERY, MOST = 2.4, 30 -- s, crates
+local SIGNS = {
+  { "Take the five coins!", 313, 482 },
+  { "ride up", 95, 170 },
+  { "the press guards a coin", 575, 496 },
+  { "jump up, drop down", 855, 508 },
+}
 local COINS = { { 39, 119 }, { 409, 89 }, { 857, 149 }, { 499, 439 }, { 857, 419 } } -- px
 
 local world, player, press, state ---@type physics.World, any, physics.Object, table
@@ -35,6 +42,7 @@ end
 local function flatten(object)
   if object == player then
     player.x, player.y, player.vx, player.vy = 300, 500, 0, 0
+    state.tries = state.tries + 1
   elseif object.height == CRATE then
     object.y, object.height, object.color = object.y + CRATE - SHEET, SHEET, "silver"
     state.flattened = state.flattened + 1
@@ -51,7 +59,7 @@ end
 
 function lifts.load()
   world = physics.newWorld({ gravity = 1600 })
-  lifts.world, state = world, { time = 0, coins = 0, flattened = 0, untilCrate = 0 }
+  lifts.world, state = world, { time = 0, coins = 0, tries = 1, flattened = 0, untilCrate = 0 }
   world:setBounds(0, -300, 960, 856) -- four walls; the lower one is the floor
   boxes.add(world, "walls", "slate", 436, 354, 16, 98, { static = true })
   boxes.add(world, "belts", "slate", 250, 330, 330, 24, { static = true, surfaceSpeed = 90 })
@@ -83,6 +91,9 @@ function lifts.update(dt)
   for _, lift in ipairs(world.objects.lifts) do
     moveLift(lift)
   end
+  if state.coins == #COINS then
+    state.wonAt = state.wonAt or state.time
+  end
   hero.run(player, dt) -- on a lift or a belt vx is relative to it: 0 is to stand still
   world:update(dt)
 end
@@ -102,14 +113,30 @@ function lifts.draw()
   love.graphics.rectangle("fill", 180, 216, 580, 4)
   love.graphics.rectangle("fill", 484, 354, 16, press.y - 354)
   boxes.ground(556)
+  for _, sign in ipairs(SIGNS) do
+    look.sign(sign[1], sign[2], sign[3])
+  end
   boxes.draw(world, "walls belts shelves lifts crates coins players", state.time)
-  local coins, flattened = state.coins .. " / 5 coins", state.flattened .. " crushed"
-  boxes.status({ "yellow", coins, "silver", flattened })
+  local time = state.wonAt or state.time
+  boxes.status({
+    "yellow",
+    ("%d / %d coins"):format(state.coins, #COINS),
+    "silver",
+    ("tries %d"):format(state.tries),
+    "silver",
+    ("%.1f s"):format(time),
+    "slate",
+    ("%d crates crushed"):format(state.flattened),
+  })
+  if state.wonAt then
+    look.won(("5 coins in %.1f s"):format(time), 220)
+  end
 end
 
 function lifts.report()
-  local result = "lifts: x=%d y=%d coins=%d flattened=%d"
-  return result:format(player.x, player.y, state.coins, state.flattened)
+  local result = "lifts: x=%d y=%d coins=%d flattened=%d won=%s"
+  local hasWon = tostring(state.wonAt ~= nil)
+  return result:format(player.x, player.y, state.coins, state.flattened, hasWon)
 end
 
 return lifts

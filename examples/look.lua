@@ -35,11 +35,14 @@ function look.color(name, alpha)
   love.graphics.setColor(color[1], color[2], color[3], alpha or 1)
 end
 
-local fonts = {}
+local fonts, sharpness = {}, nil
 
---- Sets the font to a size, and returns it.
+--- Sets the font to a size, and returns it. Its letters are as sharp as the screen.
 function look.font(size)
-  fonts[size] = fonts[size] or love.graphics.newFont(size)
+  if sharpness ~= view.sharpness() then
+    fonts, sharpness = {}, view.sharpness() -- the window has another size
+  end
+  fonts[size] = fonts[size] or love.graphics.newFont(size, "normal", sharpness)
   love.graphics.setFont(fonts[size])
   return fonts[size]
 end
@@ -89,6 +92,26 @@ end
 function look.panel(x, y, width, height, radius)
   look.color("night", 0.78)
   love.graphics.rectangle("fill", x, y, width, height, radius or 10)
+end
+
+--- Draws what a game says when it is won.
+function look.won(text, top)
+  local x = view.gameWidth / 2 - 190
+  look.panel(x, top, 380, 120)
+  look.color("lime")
+  look.text("You made it!", x, top + 20, 34, 380, "center")
+  look.color("white")
+  look.text(text, x, top + 74, 17, 380, "center")
+end
+
+--- Draws a hint for the player, with its middle at x.
+function look.sign(text, x, y)
+  local _, breaks = text:gsub("\n", "")
+  local width = look.font(15):getWidth(text) + 28
+  look.color("night", 0.55)
+  love.graphics.rectangle("fill", x - width / 2, y - 5, width, 29 + breaks * 18, 8)
+  look.color("white", 0.9)
+  look.text(text, x - width / 2, y, 15, width, "center")
 end
 
 --- Draws a slider with its knob at a share (0..1) of its width.

@@ -28,12 +28,15 @@ local LEVEL = [[
 ############################################################################################
 ]]
 local TILE = 40 -- px, one character of the map
+local SOLID = { ["#"] = true, ["="] = { group = "bricks" } } -- ["#"]: in the group "tiles"
 
 -- What makes a jump feel right: it is forgiving at both ends, and as high as the key is held long.
 local RUN_SPEED, RUN_UP, RUN_UP_IN_AIR = 290, 2200, 1500 -- px/s, px/s², px/s²
 local JUMP_SPEED, SHORT_JUMP_SPEED = 780, 260 -- px/s
 local COYOTE_TIME = 0.09 -- s, in which one may still jump after walking off an edge
 local BUFFER_TIME = 0.12 -- s, for which a jump key pressed too early is remembered
+local FALL_SPEED = 1100 -- px/s, the highest; a spring may throw faster
+local NUDGE = 6 -- px: a head or a foot that hits a corner by at most this slips past it
 local STOMP_SPEED, SPRING_SPEED, ENEMY_SPEED = 520, 1180, 70 -- px/s
 
 local world, player, state ---@type physics.World, any, table
@@ -90,14 +93,8 @@ local function reachFlag(flag, other)
   end
 end
 
--- One function for each character of the map. x, y is the top-left corner of its tile.
+-- One function for each character of the map that is no tile; x, y is the top-left corner there.
 local build = {
-  ["#"] = function(x, y)
-    world:add("tiles", { x = x, y = y, width = TILE, height = TILE, static = true })
-  end,
-  ["="] = function(x, y)
-    world:add("bricks", { x = x, y = y, width = TILE, height = TILE, static = true })
-  end,
   C = function(x, y)
     local crate = { x = x + 2, y = y + 4, width = 36, height = 36, mass = 0.5, friction = 0.3 }
     world:add("crates", crate)
@@ -131,7 +128,7 @@ local build = {
   P = function(x, y)
     state.startX, state.startY = x + 7, y + 6
     player = { x = state.startX, y = state.startY, width = 26, height = 34, vx = 0, vy = 0 }
-    player.maxSpeedY, player.facing = 1100, 1
+    player.nudge, player.maxFallSpeed, player.facing = NUDGE, FALL_SPEED, 1
     world:add("players", player)
   end,
 }
@@ -145,6 +142,8 @@ function platformer.load()
     rows[#rows + 1] = row
   end
   local top = view.height - #rows * TILE
+  -- Equal tiles are merged into few large rectangles. No seam can be felt.
+  state.tiles = world:addTiles("tiles", rows, nil, TILE, { y = top, solid = SOLID })
   for row, text in ipairs(rows) do
     for column = 1, #text do
       local make = build[text:sub(column, column)]
@@ -153,7 +152,8 @@ function platformer.load()
       end
     end
   end
-  state.width, state.coinsInLevel = #rows[1] * TILE, #world.objects.coins
+  state.top, state.rows, state.columns = top, #rows, #rows[1]
+  state.tile, state.width, state.coinsInLevel = TILE, #rows[1] * TILE, #world.objects.coins
   art.load(world, player, state)
 end
 

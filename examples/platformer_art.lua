@@ -24,14 +24,6 @@ function art.load(gameWorld, gamePlayer, gameState)
   world, player, state = gameWorld, gamePlayer, gameState
   camera, squash, wasOnGround, clock = 0, 0, true, 0
   sparks.clear()
-  -- Grass grows on tiles that have no tile above.
-  local filled = {}
-  for _, tile in ipairs(world.objects.tiles) do
-    filled[tile.x .. " " .. tile.y] = true
-  end
-  for _, tile in ipairs(world.objects.tiles) do
-    tile.hasGrass = not filled[tile.x .. " " .. tile.y - tile.height]
-  end
 end
 
 --- Throws sparks from the middle of an object.
@@ -59,12 +51,12 @@ end
 local function drawHills(depth, base, height, length, color)
   look.color(color)
   local points = { 0, 640 } ---@type number[]
-  for x = 0, 960, 12 do
+  for x = 0, view.gameWidth + 12, 12 do
     local place = (x + camera * depth) / length
     points[#points + 1] = x
     points[#points + 1] = base - love.math.noise(place, depth * 50) * height
   end
-  points[#points + 1], points[#points + 2] = 960, 640
+  points[#points + 1], points[#points + 2] = view.gameWidth + 12, 640
   for i = 3, #points - 4, 2 do
     local x1, y1, x2, y2 = points[i], points[i + 1], points[i + 2], points[i + 3]
     love.graphics.polygon("fill", x1, y1, x2, y2, x2, 640, x1, 640)
@@ -75,16 +67,17 @@ local function drawBackground()
   look.sky("navy", "plum", "orange")
   look.color("white", 0.5)
   for i = 1, 40 do
-    local x = (love.math.noise(i * 3.1) * 1400 - camera * 0.03) % 960
+    local x = (love.math.noise(i * 3.1) * 1400 - camera * 0.03) % view.gameWidth
     love.graphics.circle("fill", x, love.math.noise(i * 7.7) * 260, 0.6 + i % 3 * 0.4)
   end
   -- The sun: many thin discs make a soft glow around a bright one.
+  local sunX = view.gameWidth - 260 - camera * 0.05
   for i = 1, 16 do
     look.color("orange", 0.05)
-    love.graphics.circle("fill", 700 - camera * 0.05, 330, 190 - i * 8)
+    love.graphics.circle("fill", sunX, 330, 190 - i * 8)
   end
   look.color("yellow", 0.9)
-  love.graphics.circle("fill", 700 - camera * 0.05, 330, 58)
+  love.graphics.circle("fill", sunX, 330, 58)
   drawHills(0.15, 520, 230, 190, "plum")
   drawHills(0.3, 580, 200, 150, "navy")
   drawHills(0.5, 640, 190, 120, "night")
@@ -94,31 +87,48 @@ end
 
 local draw = {}
 
-function draw.tiles(tile)
+local tiles = {} -- one function for each character of the level that is a tile
+
+tiles["#"] = function(x, y, size, hasGrass)
   look.color("dusk")
-  love.graphics.rectangle("fill", tile.x, tile.y, tile.width, tile.height)
+  love.graphics.rectangle("fill", x, y, size, size)
   look.color("slate", 0.35)
-  local shift = (tile.x * 7 + tile.y * 3) % 22
-  love.graphics.rectangle("fill", tile.x + shift, tile.y + 18, 10, 4, 2)
-  love.graphics.rectangle("fill", tile.x + 24 - shift / 2, tile.y + 30, 6, 4, 2)
-  if tile.hasGrass then
+  local shift = (x * 7 + y * 3) % 22
+  love.graphics.rectangle("fill", x + shift, y + 18, 10, 4, 2)
+  love.graphics.rectangle("fill", x + 24 - shift / 2, y + 30, 6, 4, 2)
+  if hasGrass then
     look.color("green")
-    love.graphics.rectangle("fill", tile.x, tile.y, tile.width, 10)
-    for x = 0, tile.width - 8, 8 do
-      love.graphics.circle("fill", tile.x + x + 4, tile.y + 10, 4)
+    love.graphics.rectangle("fill", x, y, size, 10)
+    for offset = 0, size - 8, 8 do
+      love.graphics.circle("fill", x + offset + 4, y + 10, 4)
     end
     look.color("lime")
-    love.graphics.rectangle("fill", tile.x, tile.y, tile.width, 3)
+    love.graphics.rectangle("fill", x, y, size, 3)
   end
 end
 
-function draw.bricks(brick)
-  look.box(brick.x, brick.y, brick.width, brick.height, "red")
+tiles["="] = function(x, y, size)
+  look.box(x, y, size, size, "red")
   look.color("plum", 0.7)
-  love.graphics.rectangle("fill", brick.x, brick.y + 19, brick.width, 3)
-  love.graphics.rectangle("fill", brick.x + 18, brick.y + 4, 3, 15)
-  love.graphics.rectangle("fill", brick.x + 8, brick.y + 22, 3, 16)
-  love.graphics.rectangle("fill", brick.x + 29, brick.y + 22, 3, 16)
+  love.graphics.rectangle("fill", x, y + 19, size, 3)
+  love.graphics.rectangle("fill", x + 18, y + 4, 3, 15)
+  love.graphics.rectangle("fill", x + 8, y + 22, 3, 16)
+  love.graphics.rectangle("fill", x + 29, y + 22, 3, 16)
+end
+
+-- The objects of the tiles are large rectangles. The map knows each tile.
+local function drawTiles()
+  local size, map = state.tile, state.tiles
+  local first = math.max(1, math.floor(camera / size))
+  for column = first, math.min(state.columns, first + math.ceil(view.gameWidth / size) + 1) do
+    for row = 1, state.rows do
+      local kind = map:getTile(column, row)
+      if tiles[kind] then
+        local hasGrass = row == 1 or map:getTile(column, row - 1) ~= kind
+        tiles[kind](size * (column - 1), state.top + size * (row - 1), size, hasGrass)
+      end
+    end
+  end
 end
 
 function draw.crates(crate)
@@ -181,38 +191,22 @@ function draw.players()
   sprites.hero(x, y, width, height, stretch, step, player.facing, lookY, onGround)
 end
 
-local LAYERS = {
-  "flags",
-  "spikes",
-  "springs",
-  "tiles",
-  "bricks",
-  "coins",
-  "crates",
-  "enemies",
-  "players",
-}
+local BEHIND, BEFORE = { "flags", "spikes", "springs" }, { "coins", "crates", "enemies", "players" }
 
-local function drawLevel()
-  local left, right = camera - 100, camera + 1060
-  for _, layer in ipairs(LAYERS) do
-    for _, object in ipairs(world.objects[layer]) do
+local function drawObjects(groups)
+  local left, right = camera - 100, camera + view.gameWidth + 100
+  for _, group in ipairs(groups) do
+    for _, object in ipairs(world.objects[group]) do
       if object.x < right and object.x + object.width > left then
-        draw[layer](object)
+        draw[group](object)
       end
     end
   end
-  sparks.draw()
 end
 
 local function drawSigns()
   for _, sign in ipairs(SIGNS) do
-    local x, y = sign[1] * SIGN_TILE, sign[2] * SIGN_TILE
-    local _, breaks = sign[3]:gsub("\n", "")
-    look.color("night", 0.55)
-    love.graphics.rectangle("fill", x - 105, y - 5, 210, 29 + breaks * 18, 8)
-    look.color("white", 0.9)
-    look.text(sign[3], x - 105, y, 15, 210, "center")
+    look.sign(sign[3], sign[1] * SIGN_TILE, sign[2] * SIGN_TILE)
   end
 end
 
@@ -225,7 +219,10 @@ function art.draw()
   drawBackground()
   love.graphics.push()
   love.graphics.translate(-math.floor(camera), 0)
-  drawLevel()
+  drawObjects(BEHIND)
+  drawTiles()
+  drawObjects(BEFORE)
+  sparks.draw()
   drawSigns()
   love.graphics.pop()
   sprites.status(state, 210)

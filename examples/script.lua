@@ -3,11 +3,12 @@
 --   love examples --example=platformer --frames=300 --shot=/tmp/shot.png
 --                 --keys="right:10-200,space:40-60,return:70,click@480x300:90"
 --
--- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua);
--- `--bare` leaves the panel at the side away. With any of the others the script plays: every frame
--- lasts exactly 1/60 s, so that a run can be repeated. At the end the picture is written, the
--- example's report is printed, and LÖVE quits with 0; an error quits with 1. `--film=FOLDER` writes
--- a picture 15 times a second, 0001.png and on.
+-- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua).
+-- `--bare` leaves the panel at the side away; `--width=700` does so, too, and draws 700 px of an
+-- example with a camera; `--touch` leaves the bar with the keys away. With any of the others the
+-- script plays: every frame lasts exactly 1/60 s, so that a run can be repeated. At the end the
+-- picture is written, the example's report is printed, and LÖVE quits with 0; an error quits with
+-- 1. `--film=FOLDER` writes a picture 15 times a second, 0001.png and on.
 
 local recording = require("recording")
 local say = require("say")
@@ -20,9 +21,15 @@ local STEPS_PER_FILM_PICTURE = 4
 ---@type table
 local script = { isOn = false, frame = 0, frames = 60, keys = {} }
 
+local BY_HAND = { example = true, width = true } -- options that leave the game to a player
+
 local OPTIONS = {
   example = function(value)
     script.example = value
+  end,
+  width = function(value)
+    view.gameWidth = tonumber(value) or error("--width: expected a number, got " .. value)
+    view.width = view.gameWidth
   end,
   frames = function(value)
     script.frames = tonumber(value) or error("--frames: expected a number, got " .. value)
@@ -46,8 +53,10 @@ function script.read(arguments)
       say.isOn = true
     elseif argument == "--bare" then
       view.width = view.gameWidth
+    elseif argument == "--touch" then
+      view.hasKeys = false
     elseif name then
-      script.isOn = script.isOn or name ~= "example"
+      script.isOn = script.isOn or not BY_HAND[name]
       local set = OPTIONS[name] or error("unknown option " .. argument)
       set(value)
     end

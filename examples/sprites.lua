@@ -70,13 +70,8 @@ function sprites.status(state, top)
   look.text(("tries %d"):format(state.deaths + 1), 128, 24, 16)
   look.text(("%.1f s"):format(state.wonAt or state.time), 200, 24, 16)
   if state.won then
-    look.panel(290, top, 380, 120)
-    look.color("lime")
-    look.text("You made it!", 290, top + 20, 34, 380, "center")
-    look.color("white")
     local text = "%d of %d coins in %.1f s"
-    text = text:format(state.coins, state.coinsInLevel, state.wonAt)
-    look.text(text, 290, top + 74, 17, 380, "center")
+    look.won(text:format(state.coins, state.coinsInLevel, state.wonAt), top)
   end
 end
 

@@ -146,6 +146,8 @@ local function steerAll(dt)
   end
   for _, boss in ipairs(world.objects.bosses or {}) do
     steer(boss, dt)
+    local dx, dy, distance = wayTo(boss, player)
+    boss.lookX, boss.lookY = dx / distance, dy / distance
     boss.reload = boss.reload - dt
     if boss.reload < 0 then
       boss.reload = BOSS_RELOAD

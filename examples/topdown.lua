@@ -1,6 +1,6 @@
 -- Rooms seen from above. The doors are exactly as wide as you: if you miss one by a little, you
 -- slip in. The orange gate is open while a crate is on the plate. The pale door lets only ghosts
--- through. Take all the coins.
+-- through, and a ghost takes no coins. Take all of them, as fast as you can.
 
 local boxes = require("boxes")
 local input = require("input")
@@ -37,6 +37,15 @@ local NUDGE = 14 -- px: a player that misses a door by at most this slips in
 local ENGINE, FLOOR_DRAG, MAX_SPEED = 2600, 1200, 230 -- px/s², px/s², px/s
 -- A mask names the groups that one passes through.
 local GHOST = { ghostDoors = false, crates = false, coins = false }
+
+-- What is written on the floors, with the middle of the first line in tiles.
+local SIGNS = {
+  { "Take all the coins!", 4, 1.6 },
+  { "push the crate", 11.5, 2.6 },
+  { "a crate on the plate\nopens the gate", 19.5, 5.9 },
+  { "only a ghost comes in,\nand it takes no coins", 4, 11.05 },
+  { "one is inside", 11.5, 9.6 },
+}
 
 local world, player, gate, state ---@type physics.World, any, physics.Object, table
 
@@ -91,6 +100,9 @@ function topdown.update(dt)
     player.lookX, player.lookY = dx, dy
   end
   world:update(dt)
+  if state.coins == state.all then
+    state.wonAt = state.wonAt or state.time
+  end
 end
 
 function topdown.keypressed(key, isRepeat)
@@ -120,19 +132,27 @@ function topdown.draw()
   look.sky("dusk", "navy")
   look.squares(TILE, "night", 0.16)
   drawLight()
+  look.color("silver", 0.8)
+  for _, sign in ipairs(SIGNS) do
+    look.text(sign[1], sign[2] * TILE - 120, sign[3] * TILE, 15, 240, "center")
+  end
   boxes.draw(world, "plates walls ghostDoors gates", state.time)
   label("plates", "plate")
   label("gates", "gate")
   label("ghostDoors", "ghosts")
   boxes.draw(world, "crates coins players", state.time)
+  local time = state.wonAt or state.time
   local coins = ("%d / %d coins"):format(state.coins, state.all)
-  boxes.status({ "white", coins, "yellow", state.coins == state.all and "All of them!" or "" })
+  boxes.status({ "yellow", coins, "silver", ("%.1f s"):format(time) })
+  if state.wonAt then
+    look.won(("%d coins in %.1f s"):format(state.all, time), 180)
+  end
 end
 
 function topdown.report()
   local shut = gate.active == false and "open" or "shut"
-  local result = "topdown: x=%d y=%d coins=%d gate=%s"
-  return result:format(player.x, player.y, state.coins, shut)
+  local result = "topdown: x=%d y=%d coins=%d gate=%s won=%s"
+  return result:format(player.x, player.y, state.coins, shut, tostring(state.wonAt ~= nil))
 end
 
 return topdown

@@ -21,9 +21,9 @@ local LESSONS = {
   "masks",
   "optimize",
 }
-local SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT = 444, 84, 484, 496
-local TEXT_X, TEXT_WIDTH = 32, 384
-local TEXT_SIZE, CODE_SIZE, CODE_LINE = 16, 14, 21
+local SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT = 460, 76, 484, 508
+local TEXT_X, TEXT_WIDTH = 18, 428
+local TEXT_SIZE, CODE_SIZE, CODE_LINE = 19, 15, 21
 
 local page = 1
 local lesson ---@type table

@@ -1,12 +1,19 @@
 -- The picture has one size, whatever the window's: it is scaled as far as it fits.
 
 local view = { width = 1200, height = 640, gameWidth = 960 } -- px; left the game, right the panel
+view.hasKeys = true -- the player has a keyboard
 
 -- Returns the place of the picture in the window, and its scale.
 local function place()
   local width, height = love.graphics.getDimensions()
   local scale = math.min(width / view.width, height / view.height)
   return (width - view.width * scale) / 2, (height - view.height * scale) / 2, scale
+end
+
+--- Returns how many pixels of the screen are one px of the picture.
+function view.sharpness()
+  local _, _, scale = place()
+  return scale * love.graphics.getDPIScale()
 end
 
 --- Draws with coordinates of the picture.

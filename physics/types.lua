@@ -359,8 +359,9 @@ function default.dropThrough(object) end
 ---     "bounce"   goes on mirrored
 ---
 --- The response may be a function(object, other) that returns one of these names for each hit, or
---- false to ignore `other`. Nothing means "slide"; a `checked` world refuses it. The move ends
---- after 64 hits.
+--- false to ignore `other`. Nothing means "slide"; a `checked` world refuses it. Of several that
+--- stop the object at once, the one with the longest common edge comes first, and decides. The move
+--- ends after 64 hits.
 ---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
@@ -427,13 +428,13 @@ function default.explode(x, y, radius, impulse, filter, walls) end
 function default.setBounds(x, y, w, h) end
 
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
---- rectangles. Parts that are not supported are listed in `unsupported` of the result. A decoded
---- `.world` file is several maps: `options.folder` says where they are. See docs/maps.md.
+--- rectangles. Parts that are not supported are listed in `unsupported` of the result. A `.world`
+--- file is several maps. JSON needs the option `decode`. See docs/maps.md.
 ---
 --- Errors: the map does not exist, or a part is damaged; an option is unknown, or names a thing
 --- that is not in the map; with `strict` a property cannot be used; a group is an object; it is
 --- called from inside `canCollide`. Nothing has been added then.
----@param map table|string the path of the export, the table that it or STI returns, or a decoded .world file
+---@param map table|string the path of a map or a world, the table that an export or STI returns, or decoded JSON
 ---@param options physics.TiledOptions? where the map goes, and which parts are solid
 ---@return physics.Level|physics.Atlas level the objects that were added, and the parts that were left out
 function default.loadTiled(map, options) end
@@ -456,7 +457,8 @@ function default.loadTiled(map, options) end
 function default.addTiles(group, cells, columns, size, options) end
 
 --- Adds a level of the editor LDtk: the solid cells of its IntGrid layers as few large static
---- objects, and its entities with their fields. See docs/maps.md.
+--- objects, and its entities with their fields. With the option `all` it adds all levels of the
+--- project, as a level of several maps. See docs/maps.md.
 ---
 --- Errors: the level does not exist, is in another file, or a part is damaged; an option is
 --- unknown, or names a thing that is not in the level; with `strict` a field cannot be used; a
@@ -464,7 +466,7 @@ function default.addTiles(group, cells, columns, size, options) end
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
 ---@param options physics.LDtkOptions? where the level goes, and which parts are solid
----@return physics.LDtkLevel level the objects that were added, counts, and the parts that were left out
+---@return physics.LDtkLevel|physics.Atlas level the objects that were added, and the parts that were left out
 ---@diagnostic disable-next-line: redefined-local
 function default.loadLDtk(project, level, options) end
 
@@ -588,8 +590,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
 ---     ends on an edge             hits at fraction 1
 ---     runs along an edge          hits the object below it or to its right
----     grazes a corner             no hit, also between two tiles that meet there only
----     meets a one-way object      hits it from all sides: give a filter
+---     grazes a corner             no hit, but of two that touch there: hits the first of them
+---     meets a one-way object      hits it only from its solid side, as bodies do
 ---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/gridLines.lua).

@@ -32,10 +32,6 @@ check "no field is named by more files than before" luajit scripts/field_files.l
 
 check "spec/README.md names the specs that are there" luajit scripts/spec_index.lua --check
 
-# A row that no longer names a line would be seen only when the mutants run, once in a while.
-check "scripts/harmless.lua names lines that are there" \
-  luajit scripts/mutants.lua --list --sample 1
-
 check "an object is it, not a person" bash scripts/words.sh
 printf 'The box %s rests.\n' "wh""o" >build/words.md
 echo 'The box pushes what is near.' >build/what.md

@@ -90,6 +90,23 @@ local TILES = [[
 The result of `world:addTiles`, and the values of `level.tileLayers` of a map from Tiled or LDtk.
 ]]
 
+-- The tables of the fields of objects.
+local GROUPS = {
+  { title = "Place and shape", names = "x y width height radius slope" },
+  { title = "Kind", names = "static kinematic active sensor area" },
+  {
+    title = "Motion",
+    names = "vx vy ax ay gravity gravityX airFriction drag "
+      .. "maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
+  },
+  { title = "Walking and riding", names = "nudge snap constantSpeed carry surfaceSpeed" },
+  {
+    title = "Contacts",
+    names = "touching mass pushable strength friction restitution mask hits oneWay",
+  },
+  { title = "Events", names = "onBegin onStay onEnd onCrush canCollide" },
+}
+
 -- What each page of docs/api/ is about, in the order of the index.
 local PAGES = {
   { name = "fields", title = "Fields of objects" },
@@ -104,35 +121,6 @@ local PAGES = {
 local ON_WORLD = { ["world:draw"] = true, ["world:interpolate"] = true }
 local ON_MAPS = { ["world:loadTiled"] = true, ["world:addTiles"] = true, ["world:loadLDtk"] = true }
 local ON_QUERIES = { ["world:move"] = true }
-
--- Names to look at next.
-local SEE = {
-  ["world:add"] = "world:remove, world:groupOf",
-  ["world:remove"] = "active",
-  ["world:refresh"] = "static, checked",
-  ["world:dropThrough"] = "oneWay",
-  ["world:move"] = "world:sweep, world:update",
-  ["world:impulse"] = "world:explode, mass",
-  ["world:shift"] = "world:refresh",
-  ["world:explode"] = "world:queryCircle, world:impulse",
-  ["world:setBounds"] = "static",
-  ["world:save"] = "world:restore, ownFields",
-  ["world:restore"] = "world:save, world:hash",
-  ["world:hash"] = "world:save, ownFields",
-  ["world:queryPoint"] = "world:nearest",
-  ["world:queryRect"] = "world:overlapping, world:fits",
-  ["world:queryCircle"] = "world:explode",
-  ["world:fits"] = "world:sweep",
-  ["world:raycast"] = "world:querySegment",
-  ["world:sweep"] = "world:move, world:fits",
-  ["world:overlapping"] = "onBegin",
-  ["world:ground"] = "slope, touching",
-  ["world:velocity"] = "vx",
-  ["world:touching"] = "touching",
-  ["world:explain"] = "checked",
-  ["world:interpolate"] = "timestep, onStep",
-  ["physics.load"] = "physics.newWorld",
-}
 
 local function add(lines, ...)
   for i = 1, select("#", ...) do
@@ -193,6 +181,26 @@ local function addFields(lines, list, place)
     add(lines, row:format(place, field.name:lower(), field.name, kindOf(field), default, meaning))
   end
   add(lines, "")
+end
+
+-- The fields of objects, a table for each group; fields that no group names come last.
+local function addGroups(lines)
+  local named, rest = {}, {}
+  for _, group in ipairs(GROUPS) do
+    local rows = {}
+    for name in group.names:gmatch("%S+") do
+      rows[#rows + 1], named[name] = assert(fields.objectByName[name], name), true
+    end
+    add(lines, "## " .. group.title, "")
+    addFields(lines, rows, "field")
+  end
+  for _, field in ipairs(fields.objects) do
+    rest[#rest + 1] = not named[field.name] and field or nil
+  end
+  if #rest > 0 then
+    add(lines, "## More", "")
+    addFields(lines, rest, "field")
+  end
 end
 
 -- Types that are the tables of fields above, or of no use to a game.
@@ -344,17 +352,6 @@ local function signature(entry, place)
   return ("%s%s%s(%s)"):format(head, place, entry.name, table.concat(parameters, ", "))
 end
 
-local function addSeeAlso(lines, name)
-  if not SEE[name] then
-    return
-  end
-  local names = {}
-  for other in SEE[name]:gmatch("[%w:.]+") do
-    names[#names + 1] = code(other)
-  end
-  add(lines, "See also " .. table.concat(names, ", ") .. ".", "")
-end
-
 local function addFunction(lines, entry, place)
   local name = place .. entry.name
   add(lines, "## " .. name, "", code(signature(entry, place)), "")
@@ -365,7 +362,6 @@ local function addFunction(lines, entry, place)
   if examples[name] then
     add(lines, "```lua", (examples[name]:gsub("\n$", "")), "```", "")
   end
-  addSeeAlso(lines, name)
 end
 
 -- The file, the table and the beginning of the names of each list of functions.
@@ -569,7 +565,7 @@ local write = {}
 
 function write.fields(lines)
   add(lines, FIELDS)
-  addFields(lines, fields.objects, "field")
+  addGroups(lines)
   add(lines, "## Areas", "", AREAS)
   addFields(lines, fields.area, "area")
 end

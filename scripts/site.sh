@@ -50,6 +50,8 @@ if ! NO_MKDOCS_2_WARNING=1 $environment/bin/mkdocs build --config-file $source/m
   exit 1
 fi
 
+python3 web/site/add_words.py $source/words.json build/site/search/search_index.json || exit 1
+
 if [ "${1:-}" != --test ]; then
   echo "The site is build/site; serve that folder, a file:// address will not do."
   exit 0

@@ -19,8 +19,8 @@ local PATH = "spec/README.md"
 local HEAD = [[
 # Where a promise has its specs
 
-Written by `luajit scripts/spec_index.lua`; `make lint` checks it. Look for a field, setting or method
-here, and for its name in the titles of the files. To add a spec:
+Written by `luajit scripts/spec_index.lua`; `make lint` checks it. Look for a field, setting or
+method here, and for its name in the titles of the files. To add a spec:
 [CONTRIBUTING](../CONTRIBUTING.md#how-to-add-a-spec).
 
 | where | specs of |

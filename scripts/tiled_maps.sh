@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Real maps: the editor Tiled exports its own examples and those of spec/maps, as Lua and as CSV.
-# LÖVE loads the Lua; the CSV says how many tiles there are. What is exported here is not kept.
+# Real maps: the editor Tiled exports its own examples and those of spec/maps, as Lua, JSON and CSV.
+# LÖVE loads the Lua and the JSON, which must give the same level; the CSV says how many tiles there
+# are. What is exported here is not kept.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
 root=$PWD
 game=$root/build/tiled_maps
 rm -rf "$game" && mkdir -p "$game/maps" "$game/csv" "$game/source"
-cp -r scripts/tiled_maps/*.lua physics.lua physics "$game/"
+cp -r scripts/tiled_maps/*.lua bench/json.lua physics.lua physics "$game/"
 cp spec/maps/*.tmx spec/maps/*.tsx spec/maps/*.png "$game/source/"
 
 # The examples of the Debian package; containers are often made without documentation.
@@ -24,11 +25,13 @@ run_tiled() {
   QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR="$game/run" timeout -k 2 60 tiled "$@"
 }
 
-# export_map FILE NAME: both ways, from the folder of the map, so that its tilesets are found.
+# export_map FILE NAME: all ways, from the folder of the map, so that its tilesets are found.
 export_map() {
   (
     cd "$(dirname "$1")" || exit 1
     run_tiled --export-map lua --embed-tilesets "$(basename "$1")" "$game/maps/$2.lua"
+    run_tiled --export-map json --embed-tilesets --detach-templates "$(basename "$1")" \
+      "$game/maps/$2.json"
     run_tiled --export-map csv "$(basename "$1")" "$game/csv/$2.csv"
   )
   [ -s "$game/maps/$2.lua" ]
@@ -48,12 +51,15 @@ while IFS= read -r file; do
   name=$(realpath --relative-to="$game/source" "$file" | sed 's/\.tmx$//; s/[^A-Za-z0-9]/-/g')
   check "Tiled exports $name" export_map "$file" "$name"
   tiles=$(count_tiles "$name")
-  check "$name loads with at least $tiles tiles" load_map "$name" "$tiles"
+  check "$name loads with at least $tiles tiles, from JSON as from Lua" load_map "$name" "$tiles"
   count=$((count + 1))
 done < <(find "$game/source" -name '*.tmx' | LC_ALL=C sort)
 
 # What a wrong count would give, so that the check can fail.
 check "a map with too few tiles is found out" refuses load_map packed-zlib 94
+sed 's/"height":16/"height":17/' "$game/maps/course.json" >"$game/maps/other.json"
+cp "$game/maps/course.lua" "$game/maps/other.lua"
+check "a map that differs in JSON is found out" refuses load_map other 1
 check "there are maps" test "$count" -ge 4
 
 # The fixtures of spec/maps are what Tiled makes of them, but for the two lines at their head.

@@ -345,6 +345,69 @@ describe("onBegin", function()
   })
 end)
 
+-- How a spike and a man on a floor come into each other, with the sides that touch at last.
+local WAYS = {
+  ["is added"] = function(world, spike)
+    local fields = { static = spike.static, kinematic = spike.kinematic }
+    world:add("spikes", small.put(45, 380, 24, 20, fields))
+  end,
+  ["is put there"] = function(world, spike)
+    spike.x = 45
+    world:refresh(spike)
+  end,
+  grows = function(world, spike)
+    spike.x, spike.width = 45, 60
+    world:refresh(spike)
+  end,
+  ["has a man put into it"] = function(_, _, man)
+    man.x = 110
+  end,
+  ["has a man grow into it"] = function(_, _, man)
+    local size = man.radius and 100 or man.height
+    man.x, man.y, man.width, man.height = 30, 400 - size, 100, size
+    man.radius = man.radius and 50
+  end,
+}
+
+describe("onBegin: a spike that", function()
+  for how, act in pairs(WAYS) do
+    it(how .. " tells that it touches, once, at no speed of its own", function()
+      for n = 0, 11 do
+        local world, told = physics.newWorld({ gravity = n % 2 * 800 }), {}
+        world:add("floors", small.tile(-500, 400, 1000, 20))
+        local man = { x = 40, y = 376, width = 24, height = 24, radius = n > 5 and 12 or nil }
+        world:add("men", man)
+        local spike = world:add("spikes", small.put(120, 380, 24, 20))
+        spike.static, spike.kinematic = n % 3 == 0 or nil, n % 3 == 1 or nil
+        world:refresh(spike)
+        small.run(world, 20)
+        function man.onBegin(_, other, side, speed)
+          local isRight = world:groupOf(other) == "spikes" and man.touching[side] == other
+          told[#told + 1] = isRight and speed <= (man.radius and 800 / 60 or 0)
+        end
+        act(world, spike, man)
+        small.run(world, 10)
+        assert.same({ n, { true } }, { n, told })
+      end
+    end)
+  end
+
+  it("is put into a man who flies on tells begin and end", function()
+    local world, told = physics.newWorld({ gravity = 0 }), {}
+    local man = world:add("men", newBox(0, 0, { vx = 300 }))
+    function world.onBegin(_, _, side, speed)
+      told[#told + 1] = side .. " " .. speed
+    end
+    function world.onEnd(_, _, side)
+      told[#told + 1] = side
+    end
+    small.run(world, 2)
+    world:add("spikes", small.tile(man.x - 10, 0, 16, 16))
+    small.run(world, 2)
+    assert.same({ "left 0", "left" }, told)
+  end)
+end)
+
 describe("onBegin: the place of a contact", function()
   local RIM = 28 + 4 * 8 / 13 -- px, x of where two circles touch, 5 and 8 px around 32 and 28
   local LOW = 25 - math.sqrt(25 - (32 - RIM) ^ 2)

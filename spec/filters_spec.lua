@@ -201,6 +201,38 @@ describe("canCollide", function()
     { "answer = false", 0.5, "box.y > 100" },
   })
 
+  it("is asked once a step where two overlap, whatever it says", function()
+    for n = 0, 7 do
+      local world, asked = newWorld(), 0
+      world:add("walls", { x = 0, y = 0, width = 99, height = 99, static = n % 2 == 0 or nil })
+      local object = { x = 90, y = 40, width = 20, height = 20, radius = n > 3 and 10 or nil }
+      world:add("boxes", object)
+      function world.canCollide()
+        asked = asked + 1
+        return n % 4 < 2
+      end
+      for step = 1, 5 do
+        world:update(DT)
+        assert.same({ n, step }, { n, asked })
+      end
+      assert.equal(n % 4 > 1, object.x == 90)
+    end
+  end)
+
+  it("is asked again after an error in a step", function()
+    local world, answers = newWorld(), { true, "fails", false, false }
+    world:add("walls", { x = 0, y = 0, width = 99, height = 99, static = true })
+    local one = world:add("boxes", { x = 90, y = 10, width = 20, height = 20 })
+    world:add("boxes", { x = 90, y = 50, width = 20, height = 20 })
+    function world.canCollide()
+      local answer = table.remove(answers, 1)
+      return assert(answer ~= "fails") and answer
+    end
+    assert.is_false((pcall(world.update, world, DT)))
+    world:update(DT)
+    assert.same({ 90, 0 }, { one.x, #answers })
+  end)
+
   -- 10 px a step: it is inside the floor then
   row("lets pass for this step only", { FLOOR, box({ y = 75, vy = 600 }) }, {
     { "listen box", "passes = 1" },

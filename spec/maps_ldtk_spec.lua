@@ -33,7 +33,8 @@ describe("world:loadLDtk", function()
   local FIELDS = { friction = 0.9, material = "stone" }
   local LADDER = { sensor = true, group = "ladders", merge = true }
   local WHOLE, FLOOR = "Collisions 0 32 80 16 static", "Collisions 0 32 48 16 static"
-  local LADDERS = "Collisions 0 0 16 32 static"
+  local LADDERS, ONE_WAY =
+    "Collisions 0 0 16 32 static", "Collisions 48 32 32 16 oneWay=top static"
   for i, row in ipairs({
     { VALUES, { dirt = true, [3] = true }, WHOLE, "option solid" },
     { VALUES, { dirt = true, [3] = false }, FLOOR, "option solid" },
@@ -47,7 +48,9 @@ describe("world:loadLDtk", function()
     },
     { { "Walls", "water", "ground" }, nil, WHOLE, "its values" },
     { { "a", "decor", "b" }, nil, WHOLE, "its values" },
-    { VALUES, nil, LADDERS .. "; " .. WHOLE, "its values" },
+    { VALUES, nil, WHOLE, "its values" },
+    { { "dirt", "lava_1", "semiSolid" }, nil, ONE_WAY, "its values" },
+    { { "dirt", "Water Block", "stone" }, nil, LADDERS, "its values" },
     { { false, false, false }, nil, LADDERS .. "; " .. WHOLE, "its values" },
     { {}, nil, LADDERS .. "; " .. WHOLE, "its values" },
   }) do
@@ -93,7 +96,12 @@ describe("world:loadLDtk", function()
     { { solid = false }, nil, "" },
     { { key = null, mask = null }, nil, "Mob 4 0 8 8 sensor static type=Mob" },
     { { drag = "yes", mass = "2" }, nil, "Mob 4 0 8 8 mass=2 type=Mob; " .. DRAG },
-    { { drag = "yes" }, { ignore = { "drag" } }, "Mob 4 0 8 8 sensor static type=Mob" },
+    {
+      { drag = "yes", radius = 4, restitution = 1 },
+      { ignore = { "drag" } },
+      "Mob 4 0 8 8 radius=4 restitution=1 sensor static type=Mob"
+        .. "; ! Entities: drag: left out, by the option ignore",
+    },
     { { x = 3, y = 8 }, nil, "Mob 4 0 8 8 sensor static type=Mob" },
   }) do
     it("reads the fields of an entity, " .. i, function()
@@ -161,7 +169,7 @@ describe("world:loadLDtk", function()
     project.levels[1].layerInstances[3] = background
     for name, row in pairs({
       Entities = { 4, 0, { onlyLayers = { "Entities" } } },
-      Collisions = { 2, 1, { skipLayers = { "Entities" } } },
+      Collisions = { 1, 1, { skipLayers = { "Entities" } } },
       Background = { 0, 1, { onlyLayers = { "Background" } } },
       none = { 0, 0, { onlyLayers = {} } },
     }) do

@@ -60,12 +60,21 @@ local function put(target, path, value)
 end
 
 describe("world:loadTiled refuses", function()
+  local OR = ", or give the option decode, of a JSON library"
   for _, row in ipairs({
     { nil, "map must be a Tiled map or the path of one, got nil" },
     { 5, "map must be a Tiled map or the path of one, got 5" },
     { { tilecount = 5 }, "this is a tileset, not a map: load the map that uses it" },
     { "a.tmx", '"a.tmx" must be exported as Lua: File > Export As, *.lua' },
-    { "a.world", '"a.world" must be decoded, as JSON: give the table, and the option folder' },
+    { "a.world", '"a.world" must be decoded, as JSON: give the table, and the option folder' .. OR },
+    { "a.tmj", '"a.tmj" must be exported as Lua: File > Export As, *.lua' .. OR },
+    {
+      ("assets/"):rep(6) .. "level-7.json",
+      '"...ets/assets/assets/assets/level-7.json" must be exported as Lua: File > Export As, *.lua'
+        .. OR,
+    },
+    { { map = newMap() }, 'the map is in its entry "map": give that' },
+    { ldtk.cave(), "map.layers must be a table, got nil" },
     { "none.lua", 'cannot read "none.lua": …' },
     { { type = "world" }, "a world needs the option folder: where its maps are" },
   }) do
@@ -108,6 +117,13 @@ describe("world:loadTiled refuses", function()
     { "layers.1.objects.2", "crate", 'layer "things", object nil: the map is damaged: …' },
     { "layers.1.objects.1.x", NAN, 'layer "things", object 5: x must be a number, got nan' },
     { "layers.1.objects.2.width", -1, C .. "width must be a number > 0, got -1" },
+    {
+      "tilesets.1.tilecount",
+      0,
+      C
+        .. 'gid must be a gid of one of the tilesets ("terrain" has none: was its image missing at'
+        .. " the export?), got 3",
+    },
     { "layers.1.objects.2.gid", 99, C .. "gid must be a gid of one of the tilesets, got 99" },
     {
       "layers.1.objects.2.properties",
@@ -208,11 +224,14 @@ describe("world:loadTiled refuses", function()
 end)
 
 describe("world:loadLDtk refuses", function()
+  local OLD = "LDtk 0.6.2 has saved it: save it with LDtk 1.0 or later"
   local levels = "level must be the identifier, iid or number of a level, got %s; they are"
   for _, row in ipairs({
     { nil, nil, "project must be a table, got nil" },
     { "a.ldtk", nil, 'project must be a table, got "a.ldtk"' },
     { {}, nil, "project.levels must be a table, got nil" },
+    { { data = ldtk.cave() }, nil, 'the project is in its entry "data": give that' },
+    { { levels = {}, jsonVersion = "0.6.2" }, nil, OLD },
     { ldtk.cave(), "Attic", levels:format('"Attic"') .. ' "Cave", "Top"' },
     { ldtk.cave(), 3, levels:format("3") .. ' "Cave", "Top"' },
     { ldtk.cave(), {}, "level.layerInstances must be a table, got nil" },

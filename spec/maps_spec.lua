@@ -184,8 +184,9 @@ end)
 
 describe("loadTiled: the name of a layer", function()
   local walls = {
-    "Collision LAyer, Platforms lvl, TopWall, collisions_1, WALLS, solid-tiles, boundaries",
-    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur",
+    "Collision LAyer, Platforms lvl, TopWall, collisions_1, WALLS, solid-tiles, boundaries, Static,"
+      .. "terrain2, Water Blocks",
+    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur, Water, pit",
   }
   for i, names in ipairs(walls) do
     for name in names:gmatch("%s*([^,]+)") do
@@ -195,6 +196,40 @@ describe("loadTiled: the name of a layer", function()
       end)
     end
   end
+
+  -- The name of a layer, its properties, the options; the one-way side of its three parts: a tile
+  -- that says nothing, one with a shape, a rectangle.
+  local shape = { tiled.shapes(0, { tiled.object(1, 0, 0, 16, 8) }) }
+  for name, row in pairs({
+    OneWayPlatforms = { {}, nil, "top top top" },
+    ["Semi Solids"] = { {}, nil, "top top top" },
+    one_way = { {}, nil, "top top top" },
+    semisolid = { { oneWay = "left" }, nil, "left left left" },
+    ["oneway decor"] = { {}, nil, "none top none" },
+    ["Stone Way Walls"] = { {}, nil, "false false false" },
+    ["Oneway 2"] = { {}, { solidLayers = { 1, 2 } }, "false false false" },
+  }) do
+    it(name .. " says on which side its walls are solid", function()
+      local sides = {}
+      for i, part in ipairs({
+        tiled.tiles(1, name, { "5." }, { properties = row[1] }),
+        tiled.tiles(1, name, { "1." }, { properties = row[1] }),
+        tiled.objects(1, name, { newBox() }, { properties = row[1] }),
+      }) do
+        local other = tiled.tiles(2, "other", { "..." })
+        local wall = load(newMap({ part, other }, shape), row[2]).walls[1]
+        sides[i] = wall and tostring(wall.oneWay or false) or "none"
+      end
+      assert.equal(row[3], table.concat(sides, " "))
+    end)
+  end
+
+  it("is not among those of walls if its parts are sensors", function()
+    local properties = { collidable = true, sensor = true }
+    local layer = tiled.objects(1, "a", { newBox() }, { properties = properties })
+    local level = load(newMap({ layer }))
+    assert.same({ 1, "" }, { #level.sensors, solidOf(level) })
+  end)
 
   it("means what the game's own words say", function()
     local map = newMap({ tiled.tiles(1, "Mur", { "1." }), tiled.tiles(2, "Mur du fond", { ".1" }) })
@@ -410,6 +445,22 @@ describe("level:addMap and level:removeMap: a world of several maps", function()
     assert.same({ 0, 0 }, { #level.objects, count(world) })
     level:addMap("course")
     assert.equal(before, count(world))
+  end)
+
+  it("is all levels of a project of LDtk, which come and go, too", function()
+    local project, world = ldtk.cave(), physics.newWorld()
+    project.levels[2].worldX = 832
+    local level = world:loadLDtk(project, nil, { all = true, later = true, x = 100 })
+    assert.same({ 612, -64, 640, 160 }, { level.x, level.y, level.width, level.height })
+    local top, cave = level:addMap("Top"), level:addMap("Cave")
+    assert.same({ 932, 612, "cave" }, { top.x, cave.x, level.maps[1].level.fields.music })
+    assert.same({ "Cave", "Top" }, { level.maps[1].name, level.maps[2].name })
+    assert.equal(#top.objects + #cave.objects, count(world))
+    assert.equal(cave.named.Player, level.byIid["entity-Player"])
+    assert.same({ cave.tileLayers.Collisions, project }, { level.tileLayers.Collisions, level.map })
+    assert.is_true(level:removeMap("Cave"))
+    assert.same({ #top.objects, top.named.Door }, { count(world), level.named.Door })
+    assert.equal(2, #physics.newWorld():loadLDtk(project, nil, { all = true }).maps)
   end)
 
   it("refuses a map that it does not have, and calls without a colon", function()

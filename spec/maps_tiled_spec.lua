@@ -181,12 +181,16 @@ are lines | things offsetx=100 | polyline 100 200 0 0 0,0 30,0 30,40 name=path p
   line 200 200, 200 200, 230 200, 230 240 name=path period=4
 are lines, turned | things | polyline 100 200 0 0 0,0 30,0 30,40 rotation=90
   line 100 200, 100 200, 100 230, 60 230
+are thin walls, drawn by hand | things solid:true | polyline 0 0 0 0 0,0.5 32,0 31.5,48
+  things 0 0 32 1 static; things 31.5 0 1 48 static; line 0 0, 0 0.5, 32 0, 31.5 48
 are thin walls in a solid layer | things solid:true | polyline 100 200 0 0 0,0 32,0 32,48 64,60
   things 100 200 32 1 static; things 132 200 1 48 static
   line 100 200, 100 200, 132 200, 132 248, 164 260; ! things: polyline: a sloped part has no width
 are turned | things | 9 9 30 10 rotation=89.99999; 9 9 30 10 rotation=180; 9 9 30 10 rotation=-90
   things -1 9 10 30 sensor static; things -21 -1 30 10 sensor static
   things 9 -21 10 30 sensor static
+are turned by hand | things | 9 9 30 10 rotation=89.6; 9 9 30 10 rotation=-179.83
+  things -1 9 10 30 sensor static; things -21 -1 30 10 sensor static
 turned by another angle | things | 0 0 8 8 rotation=30
   ! things: rotated by 30 degrees: boxes do not turn
 with a tile, turned | things | 9 9 30 9 gid=1 name=a rotation=90; 9 9 30 9 gid=1 name=b rotation=180
@@ -197,7 +201,10 @@ are circles, no ellipses | things | ellipse 0 0 8 8; ellipse 0 0 16 8
   things 0 0 8 8 radius=4 sensor static; ! things: ellipse: only circles are round
   the option ellipses = "box" makes it a box
 are circles by their radius, if it fits | things | 0 0 8 8 static:true radius:4; 0 0 8 8 radius:5
-  things 0 0 8 8 radius=4 static; things 0 0 8 8
+  things 0 0 8 8 radius=4 static; things 0 0 8 8 sensor static
+  ! things: radius must be half of width and height, which are 8 and 8: it is left out
+do not fall for what walls may have | things | 0 0 8 8 radius:96; 9 0 8 8 carry:false strength:2
+  things 0 0 8 8 sensor static; things 9 0 8 8 carry=false sensor static strength=2
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
 are the boxes of ellipses | things | ellipse 0 0 16 8 | ellipses = "box"
   things 0 0 16 8 sensor static
@@ -241,6 +248,17 @@ polygon, closed by its first corner | walls | polygon 0 0 0 0 0,0 40,0 40,10 0,1
   walls 0 0 40 10 static
 polygon, by a hand that trembles | walls | polygon 0 0 0 0 0,0 40,0.004 39.998,10 0,10.001
   walls 0 0 40 10 static
+polygon, a box with corners off by a pixel | walls | polygon 0 0 0 0 0,0 40,0.7 39.2,30 -0.9,29.5
+  walls 0 0 40 30 static
+polygon, a hill with its foot off | walls | polygon 0 0 0 0 0,64.1 128,0 128,64
+  walls 0 0 128 64.1 slope=right static
+polygon, a slope with its wall off | walls | polygon 0 32 0 0 0,0 31.91,-31.64 32.18,0.09
+  walls 0 0.36 31.91 31.64 slope=right static
+polygon, of a tile in pixels, as drawn | walls | polygon 0 0 0 0 0,1 8,0 8,8 1,8 1,7 0,7
+  walls 0 0 8 1 slope=right static; walls 0 1 8 6 static; walls 1 7 7 1 static
+polygon, a curve in pixels, as drawn | walls | polygon 0 0 0 0 0,1.6 4,0.7 8,0 8,8 0,8
+  walls 4 0 4 0.7 slope=right static; walls 0 0.7 4 0.9 slope=right static
+  walls 4 0.7 4 0.9 static; walls 0 1.6 8 6.4 static
 polygon, a U | walls | polygon 0 0 0 0 0,0 10,0 10,20 20,20 20,0 30,0 30,30 0,30
   walls 0 0 10 20 static; walls 20 0 10 20 static; walls 0 20 30 10 static
 polygon, a stair | walls | polygon 0 0 0 0 0,0 10,0 10,10 20,10 20,20 0,20
@@ -337,7 +355,8 @@ describe("world:loadTiled, words", function()
       )
       assert.equal(given.layers[1].objects[1], entry.object)
       small.refuses('layer "things", object 7: ' .. row[3], load, given, { strict = true })
-      assert.same({}, load(given, { ignore = { row[1] }, strict = true }).unsupported)
+      level = load(given, { ignore = { row[1] }, strict = true })
+      assert.equal(row[1] .. ": left out, by the option ignore", level.unsupported[1].reason)
     end)
   end
 

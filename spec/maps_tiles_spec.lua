@@ -169,6 +169,81 @@ describe("world:addTiles", function()
     end
   end)
 
+  it("moves if all of it is kinematic, and is dug and built on where it is", function()
+    local tiles, world = add({ "####", ".##." }, { fields = { kinematic = true, merge = true } })
+    for _, part in ipairs(world.objects.tiles) do
+      part.vx, part.vy = 60, -30
+    end
+    run(world, 60)
+    assert.equal("60 -30 40 10; 70 -20 20 10", boxes(world))
+    assert.same({ 2, 1 }, { tiles:cellAt(75, -25) })
+    assert.is_nil(tiles:cellAt(5, 5))
+    tiles:setTile(2, 1, 0)
+    tiles:setTile(4, 2, "#")
+    run(world, 60)
+    assert.equal("140 -60 20 10; 120 -60 10 10; 130 -50 30 10", boxes(world))
+    world:remove(world.objects.tiles[1])
+    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
+    tiles:unload()
+    assert.same({ 1, 1 }, { tiles:cellAt(5, 5) })
+  end)
+
+  -- Returns how many hundreds of instructions a function takes.
+  local function costOf(f)
+    local jit, count = rawget(_G, "jit"), 0
+    if jit then
+      jit.off()
+    end
+    debug.sethook(function()
+      count = count + 1
+    end, "", 100)
+    f()
+    debug.sethook()
+    if jit then
+      jit.on()
+    end
+    return count
+  end
+
+  -- Returns what digging cells of one row costs in so many rows, what the update costs after that
+  -- beyond an idle one, and what it costs to unload the next 10 objects, and a row of all.
+  local function costsOf(rows)
+    local picture = {}
+    for row = 1, rows do
+      picture[row] = ("##."):rep(20)
+    end
+    local tiles, world = add(picture, { fields = { merge = false } })
+    run(world, 2)
+    local function update()
+      world:update(DT)
+    end
+    local function dig()
+      for column = 1, 59 do
+        tiles:setTile(column, 2, column % 3 == 0 and "#" or 0)
+      end
+    end
+    local idle, digging = costOf(update), costOf(dig)
+    local updating = costOf(update) - idle
+    tiles:unload(1) -- lists them
+    return {
+      digging,
+      updating,
+      costOf(function()
+        tiles:unload(10)
+      end),
+      costOf(function()
+        tiles:unload()
+      end) / rows,
+    }
+  end
+
+  it("digs and comes and goes at a cost that does not depend on the size of its group", function()
+    local few, many = costsOf(20), costsOf(80)
+    for n, cost in ipairs(few) do
+      assert(many[n] < 1.3 * cost + 5, ("%d: %g, %g"):format(n, cost, many[n]))
+    end
+  end)
+
   -- Random digging --------------------------------------------------------------------------------
 
   -- Each cell of the picture is covered by one object of its own kind, an empty one by none.

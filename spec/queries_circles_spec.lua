@@ -251,7 +251,6 @@ describe("radius: a sensor with one", function()
     { { radius = "8" }, "width must be a number > 0, got nil" },
     { { radius = 8, width = 16 }, "height must be a number > 0, got nil (2 * radius is 16)" },
     { { radius = 8, width = 16, height = 17 }, "radius must be half of width and height" },
-    { { radius = 8, oneWay = true }, "oneWay must be nil where there is a radius, got true" },
   }) do
     it("refuses what is no circle, and changes nothing: " .. row[2], function()
       local world, object = physics.newWorld(), row[1]

@@ -201,20 +201,26 @@ describe("world:move", function()
 
   -- Where two are met at once: by the wider common edge, then in the order of the world.
   for _, row in ipairs({
-    -- y and height of the first and of the second; which is hit
-    { 0, 10, 10, 10, "first" },
-    { 10, 10, 0, 10, "first" },
-    { 0, 4, 4, 20, "second" },
-    { 12, 20, 0, 12, "second" },
+    -- y and height of the first and of the second; which is told first
+    { 0, 10, 10, 10, "first", "second" },
+    { 10, 10, 0, 10, "first", "second" },
+    { 0, 4, 4, 20, "second", "first" },
+    { 12, 20, 0, 12, "second", "first" },
   }) do
-    local title = "move meets the %s of two, from %g, %g px high, and from %g, %g px"
+    local title = "move meets both of two, the %s first, from %g, %g px high, and from %g, %g px"
     it(title:format(row[5], row[1], row[2], row[3], row[4]), function()
       local world = still()
       local me = world:add("a", box(0, 0, 10, 20))
       world:add("walls", box(30, row[1], 10, row[2], { name = "first", static = true }))
       world:add("walls", box(30, row[3], 10, row[4], { name = "second", static = true }))
       local _, _, hits, count = world:move(me, 80, 0, "touch")
-      assert.are.equal(row[5] .. " right touch", told(hits, count))
+      assert.are.equal(row[5] .. " right touch, " .. row[6] .. " right touch", told(hits, count))
+      me.x = 0
+      _, _, hits, count = world:move(me, 80, 2, function(_, other)
+        return other.name == "first" and "slide" -- the other one is ignored
+      end)
+      assert.are.equal("first right slide", told(hits, count))
+      assert.are.same({ 20, 2 }, { me.x, me.y })
     end)
   end
 

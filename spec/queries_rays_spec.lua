@@ -127,6 +127,86 @@ describe("raycast", function()
   end)
 end)
 
+-- A ledge of 100 x 10 px at (0, 0), round ones, a slope; lines that meet them.
+describe("raycast: oneWay", function()
+  local ROUND, SLOPE = { radius = 50, height = 100 }, { slope = "left", height = 100 }
+  for _, row in ipairs({
+    { "top", { 50, -50, 50, 50 }, 0 },
+    { "top", { 50, 50, 50, -50 } },
+    { "top", { -50, 5, 50, 5 } },
+    { "top", { 50, 5, 50, -50 } }, -- from inside
+    { "top", { 20, -50, 50, 50 }, 0 },
+    { true, { 50, -50, 50, 50 }, 0 },
+    { "bottom", { 50, 50, 50, -50 }, 10 },
+    { "bottom", { 50, -50, 50, 50 } },
+    { "left", { -50, 5, 50, 5 }, 5 },
+    { "left", { 150, 5, 50, 5 } },
+    { "right", { 150, 5, 50, 5 }, 5 },
+    { "top", { 50, -50, 50, 50 }, 0, ROUND },
+    { "top", { 50, 150, 50, -50 }, nil, ROUND },
+    { "top", { -50, 40, 50, 40 }, nil, ROUND },
+    { "top", { 50, 0, 50, 99 }, 50, SLOPE },
+    { "top", { 50, 150, 50, 50 }, nil, SLOPE },
+    { "top", { 50, 50, 50, -50 }, nil, { sensor = false } },
+    { "top", { 50, 50, 50, -50 }, 10, { sensor = true } }, -- that has no solid side
+  }) do
+    it("stops a line only where it stops a body: " .. tostring(row[1]), function()
+      for _, isNew in ipairs({ true, false }) do
+        local l, world = row[2], still()
+        local ledge = tile(0, 0, 100, 10, row[4])
+        ledge.oneWay = row[1]
+        world:add("ledges", ledge)
+        world:update(isNew and 0 or 1 / 60)
+        local hit, _, y = world:raycast(l[1], l[2], l[3], l[4])
+        assert.same({ row[3] and ledge or nil, row[3] }, { hit, hit and y or nil })
+        assert.equal(hit and 1 or 0, (select(2, world:querySegment(l[1], l[2], l[3], l[4]))))
+      end
+    end)
+  end
+end)
+
+--   +---+ .
+--   |   |.
+--   +---+---+
+--      .|   |
+describe("raycast: the corner at which two tiles touch", function()
+  it("lets no line through, whichever way", function()
+    local world, passed = still(), 0
+    local one, other = tile(300, 0, 16, 16), tile(316, 16, 16, 16)
+    world:add("tiles", one)
+    world:add("tiles", other)
+    for n = 1, 40 do
+      for _, k in ipairs({ 1, -1, 1 / 3, 0.7 }) do
+        local dx, dy = n * k, (41 - n) * k
+        local hit, x, y, nx, ny = world:raycast(316 + dx, 16 - dy, 316 - dx, 16 + dy)
+        local isThere = math.abs(x or 0) - 316 <= 1e-9 and math.abs(y or 0) - 16 <= 1e-9
+        passed = passed + (hit and isThere and nx * nx + ny * ny == 1 and 0 or 1)
+        local count = select(2, world:querySegment(316 + dx, 16 - dy, 316 - dx, 16 + dy))
+        passed = passed + (count > 0 and 0 or 1)
+      end
+    end
+    assert.equal(0, passed)
+    assert.equal(one, (world:raycast(326, 6, 306, 26)))
+  end)
+
+  it("lets through what passes one tile alone, or the filter says so", function()
+    local world = still()
+    local one, other = tile(300, 0, 16, 16), tile(316, 16, 16, 16)
+    world:add("tiles", one)
+    assert.is_nil((world:raycast(326, 6, 306, 26)))
+    world:add("others", other)
+    assert.equal(other, (world:raycast(326, 6, 306, 26)))
+    assert.is_nil((world:raycast(326, 6, 306, 26, "tiles")))
+    assert.is_nil((world:raycast(326, 6, 306, 26, function(object)
+      return object == one
+    end)))
+    assert.is_nil((world:raycast(326, 6, 316.5, 15.5))) -- ends before it
+    other.x = 317
+    world:refresh(other)
+    assert.is_nil((world:raycast(326, 6, 306, 26)))
+  end)
+end)
+
 describe("sweep", function()
   local function scene(fields)
     local world = still()

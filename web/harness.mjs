@@ -47,24 +47,26 @@ export async function until(find, message, patience = PATIENCE) {
   }
 }
 
-function serve(folder) {
+// A published site lies below `base`; here its addresses lead to the folder, too. As there, 404.html stands
+// for what does not exist.
+function serve(folder, base) {
   const server = createServer((request, response) => {
     let path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
+    if (path.startsWith(base)) path = "/" + path.slice(base.length);
     if (path.endsWith("/")) path += "index.html";
-    const file = join(folder, path);
-    if (!statSync(file, { throwIfNoEntry: false })?.isFile()) {
-      response.writeHead(404).end();
-      return;
-    }
-    response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" });
-    response.end(readFileSync(file));
+    let file = join(folder, path);
+    const isThere = (file) => statSync(file, { throwIfNoEntry: false })?.isFile();
+    const isFound = isThere(file);
+    if (!isFound) file = join(folder, "404.html");
+    response.writeHead(isFound ? 200 : 404, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" });
+    response.end(isFound || isThere(file) ? readFileSync(file) : "");
   });
   return new Promise((done) => server.listen(0, "127.0.0.1", () => done(server)));
 }
 
 // Serves a folder, starts the browser, and returns { site, open, finish }.
-export async function begin(folder) {
-  const server = await serve(folder);
+export async function begin(folder, base = "/") {
+  const server = await serve(folder, base);
   const site = `http://127.0.0.1:${server.address().port}`;
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM,

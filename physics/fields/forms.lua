@@ -38,7 +38,7 @@ function forms.copy(value, into)
   end
   local copy = into or {}
   for key, inner in next, value, nil do
-    copy[key] = forms.copy(inner)
+    copy[key] = type(inner) == "table" and forms.copy(inner) or inner
   end
   return copy
 end

@@ -3,6 +3,7 @@
 --- out again, and lists what those that are there have made.
 
 local root = (...):match("^(.*)%.maps%.")
+local cells = require(root .. ".maps.cells")
 local check = require(root .. ".fields.check")
 local level = require(root .. ".maps.level")
 local properties = require(root .. ".maps.properties")
@@ -18,10 +19,12 @@ local atlas = {}
 ---@field height number? px
 ---@field level physics.Level? the objects that it has added, nil: it is not there
 
---- The part of a world that a `.world` of Tiled has added. The lists are those of all maps that are
---- there.
+--- The part of a world that a world of Tiled or a project of LDtk has added. The lists are those
+--- of all maps that are there. So are `named`, `byId`, `byIid` and `tileLayers`: the first map that has
+--- a name counts. `x`, `y`, `width` and `height` are those of all maps.
 ---@class physics.Atlas: physics.Level
 ---@field maps physics.AtlasMap[] all maps, also those that are not there
+---@field map table the decoded world or project
 ---@field package _world physics.World
 ---@field package _read function see `atlas.new`
 local Atlas = {}
@@ -32,27 +35,39 @@ for _, name in ipairs(level.LISTS) do
   LISTS[#LISTS + 1] = name
 end
 
+local TABLES = { "byId", "byIid", "named", "tileLayers" }
+
 local function join(self, made)
   for _, name in ipairs(LISTS) do
     local list = self[name]
-    for _, entry in ipairs(made[name]) do
+    for _, entry in ipairs(made[name] or {}) do
       list[#list + 1] = entry
     end
   end
-  self.named = properties.join(made.named, self.named)
+  for _, name in ipairs(TABLES) do
+    self[name] = properties.join(made[name] or {}, self[name])
+  end
   self.tiles, self.rectangles = self.tiles + made.tiles, self.rectangles + made.rectangles
 end
 
 local function refresh(self)
-  self.named, self.tiles, self.rectangles = {}, 0, 0
+  local grids = {}
+  self.tiles, self.rectangles = 0, 0
   for _, name in ipairs(LISTS) do
     self[name] = {}
   end
-  for _, map in ipairs(self.maps) do
+  for _, name in ipairs(TABLES) do
+    self[name] = {}
+  end
+  for i, map in ipairs(self.maps) do
     if map.level then
       join(self, map.level)
+      map.width, map.height = map.level.width, map.level.height
     end
+    grids[i] = { column = map.x, row = map.y, width = map.width or 0, height = map.height or 0 }
   end
+  grids[1] = grids[1] or { column = 0, row = 0, width = 0, height = 0 }
+  self.x, self.y, self.width, self.height = cells.around(grids)
 end
 
 local function find(self, call, name)
@@ -86,9 +101,10 @@ end
 ---@param maps physics.AtlasMap[]
 ---@param read function reads a map; returns its level, its tiles, and a function that adds them
 ---@param isLater boolean? is no map there at first
+---@param given table? the decoded world
 ---@return physics.Atlas
-function atlas.new(world, maps, read, isLater)
-  local self = setmetatable({ maps = maps, _world = world, _read = read }, Atlas)
+function atlas.new(world, maps, read, isLater, given)
+  local self = setmetatable({ maps = maps, map = given, _world = world, _read = read }, Atlas)
   add(self, isLater and {} or maps)
   return self
 end

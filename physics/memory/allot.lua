@@ -27,6 +27,10 @@ local AHEAD = 8
 local ROOM, MORE = 8, 2
 -- Places in the first array of a column.
 local FIRST = 16
+-- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
+-- their counts. Nothing else may: all else asks `embody` for a slot that stays.
+local KEEPERS = { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored" }
+local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
 
 --- Names the columns that hold what acts on a body, with zones and without (see zones).
 function allot.chooseFlow(b)
@@ -157,19 +161,15 @@ local function copy(column, width, left, movedTo, count)
   end
 end
 
--- Moves the bodies that were noted, and writes their slots into the lists in which a static body
--- without neighbours may be. `linkCount` pairs are about to be linked.
-local function moveNoted(b, linkCount)
+-- Moves the bodies that were noted, and writes their slots into the lists that keep them.
+local function moveNoted(b)
   local left, movedTo, places = b.left, b.movedTo, b.freePlaces
   for n = 1, #EVERY.names do
     copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, b.leftCount)
   end
-  renameIn(movedTo, b.linkOne, linkCount)
-  renameIn(movedTo, b.linkOther, linkCount)
-  renameIn(movedTo, b.movedList, b.movedCount)
-  renameIn(movedTo, b.entered, b.enteredCount)
-  renameIn(movedTo, b.zoneList, #b.zoneList)
-  renameIn(movedTo, b.restored, #b.restored)
+  for n = 1, #KEEPERS do
+    renameIn(movedTo, b[KEEPERS[n]], b[COUNTS[n]] or #b[KEEPERS[n]])
+  end
   for n = 1, b.leftCount do
     local i, j = left[n], movedTo[left[n]]
     b.slotOf[b.object[j]], b.group[j].slots[b.rank[j] % allot.GROUP_SPAN] = j, j
@@ -183,7 +183,7 @@ local function moveNoted(b, linkCount)
 end
 
 -- Makes room for `count` more bodies with all columns.
-local function makeRoom(b, count, linkCount)
+local function makeRoom(b, count)
   local first = b.lastBody + 1
   if #b.free + b.lastBody - b.lastUsed >= count then
     return
@@ -196,14 +196,14 @@ local function makeRoom(b, count, linkCount)
       note(b, i, takePlace(b, 1))
     end
   end
-  moveNoted(b, linkCount) -- and what was noted before
+  moveNoted(b) -- and what was noted before
 end
 
 -- Notes the bodies of a list that have no slot with all columns, and takes one for each.
 local function noteAll(b, list, count)
   for n = 1, count do
     if list[n] > b.lastBody and not b.movedTo[list[n]] then
-      makeRoom(b, 1, count) -- (it may move the body)
+      makeRoom(b, 1) -- (it may move the body)
       note(b, list[n], takeBody(b, 1))
     end
   end
@@ -211,10 +211,11 @@ end
 
 --- Gives the bodies of the pairs in b.linkOne and b.linkOther slots with all columns.
 function allot.embodyLinked(b, count)
+  b.linkCount = count
   noteAll(b, b.linkOne, count)
   noteAll(b, b.linkOther, count)
   if b.leftCount > 0 then
-    moveNoted(b, count)
+    moveNoted(b)
   end
 end
 
@@ -235,7 +236,7 @@ function allot.claim(b, isStatic, coming)
   end
   b.count = b.count + 1
   if not isStatic then
-    makeRoom(b, coming, 0)
+    makeRoom(b, coming)
     return takeBody(b, coming)
   elseif b.lastBody == math.huge then
     b.lastBody, b.slots = b.lastUsed + ROOM, b.lastUsed + ROOM

@@ -59,6 +59,7 @@ local function answer(b, callback, one, other, side)
   local ok, result = pcall(callback, one, other, side)
   b.asking = nil
   if not ok then
+    b.solveStamp = b.solveStamp + 1 -- the next step asks all anew
     error(result, 0)
   elseif result == nil and b.world.checked then
     check.fail("canCollide must return true or false, got nothing (which means true)")
@@ -89,6 +90,15 @@ function rules.permits(b, low, high, axis)
     and answer(b, b.worldCanCollide, one, other, sideName)
 end
 
+--- Returns whether pair p may collide, before the first solve of a step, which does not ask again.
+function rules.foresees(b, p, low, high, axis)
+  local stamp = b.solveStamp + 1
+  if b.asked[p] ~= stamp and b.asked[p] ~= -stamp then
+    b.asked[p] = rules.permits(b, low, high, axis) and stamp or -stamp
+  end
+  return b.asked[p] == stamp
+end
+
 --- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the
 --- indices of the low body and the high one. `isDeep`: they overlap already. The game is asked once
 --- a solve about each pair: a step that begins anew asks again.
@@ -103,8 +113,9 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   elseif not b.hasAskers or b.asked[p] == b.solveStamp then
     return false
   end
+  local isRefused = b.asked[p] == -b.solveStamp -- see `foresees`
   b.asked[p] = b.solveStamp
-  if rules.permits(b, low, high, axis) then
+  if not isRefused and rules.permits(b, low, high, axis) then
     return false
   end
   b.passing[p] = true

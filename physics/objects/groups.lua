@@ -15,6 +15,8 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
+local max, min = math.max, math.min
+
 local FEW = 64 -- groups up to this size are counted each time
 
 -- Returns a record of a group of which nothing is known yet.
@@ -28,9 +30,11 @@ local function newRecord(name, source)
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
-    -- `first`: the place from which on it has changed; count + 1: it has not. `newKeys` and
-    -- `newCount`: what it holds now (see compareAll).
-    found = {}, -- the slots of that, from `first` on
+    -- `newKeys` and `newCount`: what it holds now (see compareAll).
+    changed = {}, -- the places that hold another object now, in order,
+    changedCount = 0,
+    found = {}, -- the slots of those objects,
+    foundCount = 0,
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     isPlain = true, -- none of its objects has a metatable
@@ -69,14 +73,18 @@ local function sortedNames(self, objects)
   return names
 end
 
--- Returns whether a group has other keys than 1 to `count`, which it has. `isGrown`: it may hold
--- new numbers in any order.
-local function hasOthers(record, count, isGrown)
-  local source, n = record.source, 0
-  if count > FEW and not (record.mixed or isGrown) and rawget(source, count + 1) == nil then
-    if next(source, count) == nil then -- keys beyond the last number would follow it
+-- Returns whether a group has other keys than 1 to `count`, which it has.
+local function hasOthers(record, count)
+  local source, n, known = record.source, 0, min(count, record.count)
+  if known > FEW and not record.mixed and rawget(source, count + 1) == nil then
+    local key = known -- keys beyond the last known number follow it
+    repeat
+      n, key = key, next(source, key)
+    until key ~= n + 1
+    if key == nil and n == count then
       return false
     end
+    n = 0
   end
   for key in next, source, nil do
     n = n + 1
@@ -106,7 +114,7 @@ function groups.firstChange(record)
       return n
     end
   end
-  return hasOthers(record, count, false) and count + 1 or nil
+  return hasOthers(record, count) and count + 1 or nil
 end
 
 --- Returns the n-th member that a group has now, and its key.
@@ -117,23 +125,38 @@ end
 
 -- What has changed --------------------------------------------------------------------------------
 
--- Finds under which keys a group holds objects now, if it has changed from place `first` on.
-local function readKeys(record, first)
-  local source, n = record.source, record.keys and 1 or first
+-- Finds under which keys a group holds objects now, if it has changed from place `n` on.
+local function readKeys(record, n)
+  local source = record.source
   if record.count == 0 then
     record.direct = check.isObject(source) -- it may have been filled since it was first seen
   end
-  record.first, record.newKeys, record.newCount = n, false, 1
+  record.newKeys, record.newCount = false, 1
   if not record.direct then
     while rawget(source, n) ~= nil do
       n = n + 1
     end
     record.newCount = n - 1
-    if hasOthers(record, n - 1, n - 1 > record.count) then
+    if hasOthers(record, n - 1) then
       record.newKeys = sortedKeys(source, check.place(record.name))
-      record.first, record.newCount = 1, #record.newKeys
+      record.newCount = #record.newKeys
     end
   end
+end
+
+-- Lists the places that hold another object than before; all if what was there has another place or
+-- key now.
+local function listChanges(record, isAll, first)
+  local source, list, changed, count = record.source, record.list, record.changed, 0
+  record.foundCount = 0
+  isAll = isAll or record.keys or record.newKeys or record.direct
+  for n = isAll and 1 or first, max(record.count, record.newCount) do
+    if isAll or not rawequal(source[n], list[n]) then
+      count = count + 1
+      changed[count], record.foundCount = n, n <= record.newCount and count or record.foundCount
+    end
+  end
+  record.changedCount = count
 end
 
 --- Returns whether there are other groups than those that were seen last.
@@ -174,10 +197,12 @@ end
 function groups.compareAll(records)
   local isAny = false
   for index, record in ipairs(records) do
-    local change = record.index ~= index and 1 or groups.firstChange(record)
-    record.first, record.newKeys, record.newCount = record.count + 1, record.keys, record.count
+    local isOther = record.index ~= index
+    local change = isOther and 1 or groups.firstChange(record)
+    record.changedCount, record.newKeys, record.newCount = 0, record.keys, record.count
     if change then
-      readKeys(record, change)
+      readKeys(record, record.keys and 1 or change)
+      listChanges(record, isOther, change)
       isAny = true
     end
   end

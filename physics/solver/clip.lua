@@ -13,8 +13,7 @@
 -- is such a point: nothing that stands still crushes it, and it ends in none of that. If two faces
 -- close on each other, it is left to `settle.squeeze`: machines do crush.
 --
--- Source: clipping a move against planes, and then against the crease of two (`SV_FlyMove` in the
--- game Quake); here for the nearest point, which is exact in two dimensions.
+-- The point is found by space/planes.lua.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local boxes = require(root .. ".space.boxes")
@@ -22,6 +21,7 @@ local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local links = require(root .. ".memory.links")
 local filter = require(root .. ".broadphase.filter")
+local planes = require(root .. ".space.planes")
 local path = require(root .. ".motion.path")
 local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
@@ -39,89 +39,11 @@ local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
 local PASSES = 4
 -- Walls that are in the way of one box, beside what it touches.
 local MOST = 8
--- px by which a place may be outside of a half-plane, as it is rounded.
-local ROUNDING = 1e-7
+local nx, ny, least, wall, side = planes.nx, planes.ny, planes.least, planes.wall, planes.side
 -- px by which a box may be in a wall where the step begins.
 local NEAR = 0.001
--- Two faces are parallel if the sine between them is less.
-local PARALLEL = 1e-6
 -- px/s: slower things stand still.
 local STILL = 1e-6
-
--- Half-planes -------------------------------------------------------------------------------------
-
--- Those of the box that is looked at: it must be at nx * x + ny * y >= least. The face belongs to
--- slot `wall`, and the box leans on it with that side.
-local count = 0
-local nx, ny, least, wall, side = {}, {}, {}, {}, {}
-
-local function setPlane(n, x, y, place, j, itsSide)
-  nx[n], ny[n], least[n], wall[n], side[n] = x, y, place, j, itsSide
-end
-
--- Adds a half-plane. Of two with one normal the narrower one counts.
-local function addPlane(b, x, y, place, j, itsSide)
-  local n = 1
-  while n <= count and not (nx[n] == x and ny[n] == y) do
-    n = n + 1
-  end
-  local isNew = n > count
-  count = max(count, n)
-  if isNew or place > least[n] or place == least[n] and b.rank[j] < b.rank[wall[n]] then
-    setPlane(n, x, y, place, j, itsSide)
-  end
-end
-
--- Forgets all half-planes but n and m, of which m is the first, or 0: none; so may be both.
-local function keepOnly(n, m)
-  count = (n > 0 and 1 or 0) + (m > 0 and 1 or 0)
-  for at = 1, count do
-    local from = at < count and m or n
-    setPlane(at, nx[from], ny[from], least[from], wall[from], side[from])
-  end
-end
-
-local function isIn(x, y)
-  for n = 1, count do
-    if nx[n] * x + ny[n] * y < least[n] - ROUNDING then
-      return false
-    end
-  end
-  return true
-end
-
--- The point of half-plane n that is nearest to (x, y), or its corner with half-plane m, if that is
--- not 0; nil: the two are parallel.
-local function pointOf(n, m, x, y)
-  if m == 0 then
-    local way = max(least[n] - nx[n] * x - ny[n] * y, 0.0)
-    return x + nx[n] * way, y + ny[n] * way
-  end
-  local sine = nx[n] * ny[m] - ny[n] * nx[m]
-  if sine > PARALLEL or sine < -PARALLEL then
-    local atX, atY = least[n] * ny[m] - least[m] * ny[n], least[m] * nx[n] - least[n] * nx[m]
-    return atX / sine, atY / sine
-  end
-end
-
--- The point in all half-planes that is nearest to (x, y), at most `most` away, and the one or two
--- on which it is (0: none); nil: there is no such point.
-local function nearest(x, y, most)
-  if isIn(x, y) then
-    return x, y, 0, 0
-  end
-  local bestX, bestY, one, other, best = nil, nil, 0, 0, most * most
-  for n = 1, count do
-    for m = 0, n - 1 do
-      local atX, atY = pointOf(n, m, x, y)
-      local far = atX and (atX - x) * (atX - x) + (atY - y) * (atY - y)
-      if far and far < best and isIn(atX, atY) then
-        bestX, bestY, one, other, best = atX, atY, n, m, far
-      end
-    end
-  end
-  return bestX, bestY, one, other
-end
 
 -- How fast slot `wall` of half-plane n goes along the normal of half-plane m, px/s.
 local function speedAlong(b, n, m)
@@ -173,14 +95,14 @@ end
 -- Adds the half-planes of what box i touches, but for edges of slopes.
 local function addRoom(b, i)
   for _, j, p in neighbours(b, i) do
-    if b.touches[p] ~= APART and not touch.haveFaces(b, i, j) then
+    if b.touches[p] ~= APART and b.contactLow[p] > 0 and not touch.haveFaces(b, i, j) then
       local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i
       if isLow and b.roomHigh[kh] < huge then
         local place = separation - b.roomHigh[kh]
-        addPlane(b, axis - 1, -axis, place, b.wallHigh[kh], 2 * axis + 2)
+        planes.add(b.rank, axis - 1, -axis, place, b.wallHigh[kh], 2 * axis + 2)
       elseif not isLow and b.roomLow[kl] > -huge then
-        addPlane(b, 1 - axis, axis, b.roomLow[kl] + separation, b.wallLow[kl], 2 * axis + 1)
+        planes.add(b.rank, 1 - axis, axis, b.roomLow[kl] + separation, b.wallLow[kl], 2 * axis + 1)
       end
     end
   end
@@ -226,7 +148,7 @@ local function addFace(b, i, j, x, y, t)
   local m, start, to = 2 * j, b.time[j], b.to
   x, y = x + to[m] - path.at(b, m, start, t), y + to[m + 1] - path.at(b, m + 1, start, t)
   local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, path.axisOf(b, i))
-  addPlane(b, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
+  planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
   return gap >= -2 * EPSILON
 end
 
@@ -239,17 +161,17 @@ local function findPlace(b, i)
   if wallAt(b, i, start[k], start[k + 1], t) then
     start, t = b.origin, 0
   end
-  count = 0
+  planes.count = 0
   addRoom(b, i)
-  for n = 1, count do
+  for n = 1, planes.count do
     most = most + wayOf(b, wall[n], b.from)
   end
   for _ = 1, MOST do
-    local x, y, one, other = nearest(b.to[k], b.to[k + 1], most)
+    local x, y, one, other = planes.nearest(b.to[k], b.to[k + 1], most)
     local j = x and wallAt(b, i, x, y, 1)
     if not j then
       local isFree = x and not (other > 0 and areClosing(b, one, other))
-      keepOnly(one, other)
+      planes.keepOnly(one, other)
       return isFree and x, y
     elseif not addFace(b, i, j, start[k], start[k + 1], t) then
       return nil
@@ -276,15 +198,15 @@ end
 -- one at which it goes into none of them.
 local function put(b, i, x, y)
   local k = 2 * i
-  for n = 1, count do
+  for n = 1, planes.count do
     local pressed = side[n] % 2 == 0 and b.pressedHigh or b.pressedLow
     pressed[k + AXIS[side[n]]] = true
-    if count == 2 then
+    if planes.count == 2 then
       block(b, i, n)
     end
     least[n] = speedAlong(b, n, n)
   end
-  local vx, vy = nearest(b.speed[k], b.speed[k + 1], huge)
+  local vx, vy = planes.nearest(b.speed[k], b.speed[k + 1], huge)
   path.finish(b, k, x, vx + 0.0, 0.0) -- (-0 + 0 is 0)
   path.finish(b, k + 1, y, vy + 0.0, 0.0)
   b.squeezed[k], b.squeezed[k + 1], b.give[k], b.give[k + 1] = 0, 0, 0, 0

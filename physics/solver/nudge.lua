@@ -53,7 +53,10 @@ local function try(b, p, i, j, axis, iIsLow, t)
   -- a little further on is tested.
   local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = path.at(b, 2 * i, b.time[i], t), path.at(b, 2 * i + 1, b.time[i], t)
-  x, y = x + (axis == 1 and distance or ahead), y + (axis == 0 and distance or ahead)
+  -- The others stand there where the step began: stairs that sink under it, a little higher.
+  local sunk = b.carried[k] * distance < 0 and b.carried[k] * t * b.dt or 0
+  x = x + (axis == 1 and distance - sunk or ahead)
+  y = y + (axis == 0 and distance - sunk or ahead)
   -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
   -- is in the way beside it may leave without being a neighbour.
   b.mustStayAwake[i] = true

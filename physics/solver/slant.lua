@@ -34,6 +34,7 @@ local heap = require(root .. ".overlaps.heap")
 local filter = require(root .. ".broadphase.filter")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local impact = require(root .. ".solver.impact")
+local planes = require(root .. ".space.planes")
 local path = require(root .. ".motion.path")
 local yielding = require(root .. ".narrowphase.yielding")
 local rules = require(root .. ".narrowphase.rules")
@@ -76,6 +77,12 @@ local function newList()
     rows = 0, -- these, and contacts along an axis behind them
     stamp = 0,
     jamAt = {}, -- by slot: when it had no room
+    leansAt = {}, -- by slot: when something immovable touched it slanted as a step began
+    walled = 0, -- bodies beside something immovable
+    walledList = {},
+    wallsAt = {}, -- by slot: when it was listed
+    firstWall = {}, -- its first row, and
+    nextWall = {}, -- by row: the next one of the same body
     firstAt = {}, -- by slot: when it was first met by something immovable,
     firstOf = {}, -- and its contact
     mark = {}, -- by slot: what these press, directly or through others
@@ -135,6 +142,13 @@ local function passes(b, p, i, j, nx, ny, isDeep)
   return rules.passes(b, p, 2 * low + axis, 2 * (i + j - low) + axis, axis, isDeep)
 end
 
+-- Returns by how many px two may be in each other: nothing visible, and nothing in what is
+-- immovable or stronger.
+local function slopOf(b, i, j)
+  local areEqual = b.give[2 * i] > 0 and b.give[2 * j] > 0 and b.power[i] == b.power[j]
+  return areEqual and SLOP * ball.smallest(b, i, j) or EPSILON / 2
+end
+
 local function add(b, p, i, j, nx, ny, least, time, speed)
   if not b.slants.isNew then
     b.slants = newList()
@@ -146,9 +160,8 @@ local function add(b, p, i, j, nx, ny, least, time, speed)
   s.height[c], s.first[c], s.second[c] = heightOf(b, i, j), b.rank[i], b.rank[j]
   s.push[c], s.impulse[c], s.total[c] = 0.0, 0.0, 1.0
   s.isNewOne[c], s.isFlush[c] = true, false
-  local areLoose = b.give[2 * i] > 0 and b.give[2 * j] > 0
-  s.slop[c] = areLoose and SLOP * ball.smallest(b, i, j) or EPSILON / 2
-  b.touches[p] = CONTACT
+  s.slop[c] = slopOf(b, i, j)
+  b.touches[p], b.contactLow[p] = CONTACT, 0 -- (it is in no list of an axis)
 end
 
 -- Notes the hit of a pair that is about to meet, while the paths still lead there.
@@ -191,7 +204,7 @@ local function mayPress(b, i, j)
 end
 
 -- The relative speed at the start of the step along a normal, px/s; > 0: they close.
-local function closingAt(b, i, j, nx, ny, column)
+local function closingAt(i, j, nx, ny, column)
   local k, m = 2 * i, 2 * j
   return (column[m] - column[k]) * nx + (column[m + 1] - column[k + 1]) * ny
 end
@@ -233,19 +246,18 @@ function slant.takes(b, p)
   if gap > EPSILON or nx == 0 or ny == 0 or gap < -LOST * size then
     return false
   end
-  local u = closingAt(b, i, j, nx, ny, b.speed)
+  local u = closingAt(i, j, nx, ny, b.speed)
   if isElastic(b, i, j, u) or passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
-  local areLoose = b.give[2 * i] > 0 and b.give[2 * j] > 0
-  local slop = areLoose and SLOP * size or EPSILON
+  local slop = slopOf(b, i, j)
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
   add(b, p, i, j, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0, u)
   return true
 end
 
 -- Lists pair p if it is apart and will meet slanted, or is near and slow. Returns whether it was.
-local function list(b, p)
+local function listPair(b, p)
   local i, j = slotsOf(b, p)
   local size, from, to, shape, k, m = b.size, b.from, b.to, b.shape, 2 * i, 2 * j
   local x, y = from[k] - from[m], from[k + 1] - from[m + 1]
@@ -285,7 +297,7 @@ local function list(b, p)
   if isDeep or nx == 0 or ny == 0 then
     return false
   end
-  local u = closingAt(b, i, j, nx, ny, b.speed)
+  local u = closingAt(i, j, nx, ny, b.speed)
   if isElastic(b, i, j, u) or passes(b, p, i, j, nx, ny, false) then
     return false
   end
@@ -307,34 +319,42 @@ function slant.meet(b, p, t)
   return true
 end
 
+-- Marks the bodies that something immovable touches slanted where the step begins: that turns them
+-- first, before others are looked for on their ways.
+local function markLeaning(b)
+  local s, give = b.slants, b.give
+  for c = 1, s.count do
+    local i, j = s.one[c], s.other[c]
+    if give[2 * i] == 0 or give[2 * j] == 0 then
+      s.leansAt[i], s.leansAt[j] = b.solveStamp, b.solveStamp
+    end
+  end
+end
+
 --- Lists the pairs that are apart where the step begins and will meet slanted. Returns whether
---- there are new ones.
-function slant.find(b)
+--- there are new ones. `isFirst`: those of bodies that lean on something are left for the next
+--- time.
+function slant.find(b, isFirst)
   pairFinder.run(b, b.awakeList, b.awakeCount, REACH)
   contacts.noteNew(b)
-  local apart, touches, pairA, pairB, hasNew = b.apart, b.touches, b.pairA, b.pairB, false
   if not b.slants.isNew then
     b.slants = newList()
+  end
+  local apart, touches, pairA, pairB, hasNew = b.apart, b.touches, b.pairA, b.pairB, false
+  local stamp, leansAt = b.solveStamp, b.slants.leansAt
+  if isFirst then
+    markLeaning(b)
   end
   b.slants.stamp = b.slants.stamp + 1
   for n = 1, b.apartCount do
     local p = apart[n]
-    if touches[p] == APART and mayPress(b, pairA[p], pairB[p]) and list(b, p) then
+    local i, j = pairA[p], pairB[p]
+    local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
+    if touches[p] == APART and not waits and mayPress(b, i, j) and listPair(b, p) then
       hasNew = true
     end
   end
   return hasNew
-end
-
---- Returns whether something immovable touches a body slanted where the step begins.
-function slant.hasWall(b)
-  local s, give = b.slants, b.give
-  for c = 1, s.count do
-    if give[2 * s.one[c]] == 0 or give[2 * s.other[c]] == 0 then
-      return true
-    end
-  end
-  return false
 end
 
 -- Puts the slanted contacts in order.
@@ -438,7 +458,21 @@ local function listRows(b)
   sort.by(s.order, s.rows, s.height, s.first, s.second)
 end
 
--- Looks up who gives way in each pair. `isShock`: the lower one of two does not.
+-- Returns whether slot i is a body that is not pushable, and that the game drives.
+local function isSteered(b, i)
+  return b.kind[i] == DYNAMIC and not b.pushable[i] and path.isDriven(b, i)
+end
+
+-- Returns by how much a push of 1 along a normal moves body k, which is steered: back along its own
+-- way only. It is stopped, but not turned aside.
+local function holdBack(b, k, nx, ny, ix, iy)
+  local x, y = b.freeSpeed[k], b.freeSpeed[k + 1]
+  local square = x * x + y * y
+  local share = square > 0 and (nx * x + ny * y) / square or 0.0
+  return share * x * ix, share * y * iy
+end
+
+-- Looks up which of each pair gives way. `isShock`: the lower one of two does not.
 local function weigh(b, isShock)
   local s = b.slants
   for n = 1, s.rows do
@@ -454,8 +488,15 @@ local function weigh(b, isShock)
         ix, iy = 0.0, 0.0
       end
     end
-    s.total[c] = nx * nx * (ix + jx) + ny * ny * (iy + jy)
-    s.dx[c], s.dy[c], s.ex[c], s.ey[c] = nx * ix, ny * iy, nx * jx, ny * jy
+    local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
+    if isSteered(b, i) then
+      dx, dy = holdBack(b, k, nx, ny, ix, iy)
+    end
+    if isSteered(b, j) then
+      ex, ey = holdBack(b, m, nx, ny, jx, jy)
+    end
+    s.total[c] = nx * (dx + ex) + ny * (dy + ey)
+    s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
   end
 end
 
@@ -487,6 +528,57 @@ local function sweep(b, column, sum, passCount, isOfSpeeds, isShock, hasWeight)
   end
 end
 
+-- Returns which of the two of row c is stopped by the other one, which cannot be moved along their
+-- normal: that is immovable, or held; nil: none.
+local function moverOf(b, c)
+  local s = b.slants
+  local i, j = s.one[c], s.other[c]
+  local ix, iy, jx, jy = ball.weigh(b, i, j, s.nx[c], s.ny[c])
+  local isOne, isOther = max(ix, iy) > 0, max(jx, jy) > 0
+  return isOne ~= isOther and (isOne and i or j) or nil
+end
+
+-- Lists by body the rows in which that is stopped.
+local function listWalls(b)
+  local s = b.slants
+  s.walled = 0
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local mover = moverOf(b, c)
+    if mover then
+      if s.wallsAt[mover] ~= s.stamp then
+        s.walled = s.walled + 1
+        s.walledList[s.walled], s.wallsAt[mover], s.firstWall[mover] = mover, s.stamp, 0
+      end
+      s.nextWall[c], s.firstWall[mover] = s.firstWall[mover], c
+    end
+  end
+end
+
+-- Puts what is pressed into immovable bodies at the nearest place in front of all of them, or gives
+-- it the nearest velocity that goes into none. (Passes alone would come there slowly in a wedge.)
+local function leaveWalls(b, column, isOfSpeeds)
+  local s = b.slants
+  for n = 1, s.walled do
+    local i = s.walledList[n]
+    local k, c = 2 * i, s.firstWall[i]
+    planes.count = 0
+    while c ~= 0 do
+      local sign, j = s.one[c] == i and 1 or -1, s.one[c] == i and s.other[c] or s.one[c]
+      local nx, ny = sign * s.nx[c], sign * s.ny[c]
+      if not isOfSpeeds or s.isFlush[c] then
+        local place = nx * column[2 * j] + ny * column[2 * j + 1]
+        planes.add(b.rank, nx, ny, place + (isOfSpeeds and 0.0 or s.least[c]), j, 0)
+      end
+      c = s.nextWall[c]
+    end
+    local x, y = planes.nearest(column[k], column[k + 1], huge)
+    if x then
+      column[k], column[k + 1] = x, y
+    end
+  end
+end
+
 -- Returns whether the two of contact c touch at the end of the step.
 local function isFlush(b, c)
   local s = b.slants
@@ -513,8 +605,8 @@ local function findLate(b)
   end
 end
 
--- Limits how far slot i is pushed: a share of its size, and what its own motion is. (What is between
--- two that cannot move would be pushed to and fro.)
+-- Limits how far slot i is pushed: a share of its size, and what its own motion is. (What is
+-- between two that cannot move would be pushed to and fro.)
 local function limit(b, i)
   local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
   local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
@@ -549,10 +641,10 @@ local function forgetJams(b)
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
-    local isTight = s.least[c] - along(b.to, i, j, nx, ny) > JAMMED * ball.smallest(b, i, j)
+    local isDeep = s.least[c] - along(b.to, i, j, nx, ny) > JAMMED * ball.smallest(b, i, j)
     local isFast = s.isFlush[c]
       and -along(b.speed, i, j, nx, ny) * b.dt > JAMMED * ball.smallest(b, i, j)
-    if isTight or isFast then
+    if isDeep or isFast then
       s.jamAt[i], s.jamAt[j] = stamp, stamp
     end
   end
@@ -570,7 +662,7 @@ local function accelOf(b, k, tau, most)
   return max(min(a, most), -most)
 end
 
--- Notes who has been pushed.
+-- Notes which bodies have been pushed.
 local function note(b)
   local s, stamp, inHeap = b.slants, b.solveStamp, b.heapWork.inHeap
   for n = 1, s.rows do
@@ -584,7 +676,8 @@ local function note(b)
           local x, y =
             (b.freeSpeed[k] - b.start[k]) / b.dt, (b.freeSpeed[k + 1] - b.start[k + 1]) / b.dt
           local most, tau = max(x, -x, y, -y), (1 - b.time[m == 1 and i or j]) * b.dt
-          b.accel[k], b.accel[k + 1] = accelOf(b, k, tau, most), accelOf(b, k + 1, tau, most)
+          path.finish(b, k, b.to[k], b.speed[k], accelOf(b, k, tau, most))
+          path.finish(b, k + 1, b.to[k + 1], b.speed[k + 1], accelOf(b, k + 1, tau, most))
         end
       end
       if c <= s.count and b.give[2 * i] > 0 and b.give[2 * j] > 0 then
@@ -601,15 +694,20 @@ function slant.press(b)
   if s.rows == 0 then
     return
   end
-  local hasWeight = b.world.gravity ~= 0 or b.world.gravityX ~= 0
+  local hasWeight = not b.isWeightless
+  listWalls(b)
   weigh(b, false)
   sweep(b, b.to, s.push, PASSES, false, false, hasWeight)
+  leaveWalls(b, b.to, false)
   findFlush(b)
   sweep(b, b.speed, s.impulse, PASSES, true, false, hasWeight)
+  leaveWalls(b, b.speed, true)
   if hasWeight then
     weigh(b, true)
     sweep(b, b.to, s.push, SHOCKS, false, true, hasWeight)
-    sweep(b, b.speed, s.impulse, SHOCKS, true, false, hasWeight)
+    leaveWalls(b, b.to, false)
+    sweep(b, b.speed, s.impulse, SHOCKS, true, true, hasWeight)
+    leaveWalls(b, b.speed, true)
   end
   forgetJams(b)
   note(b)
@@ -633,26 +731,13 @@ local function rest(b)
   end
 end
 
--- Prepares the awake bodies for the end of the step. Those that `ball` has held can be pushed again.
+-- Prepares the awake bodies for the end of the step. Those that `ball` has held can be pushed
+-- again.
 local function release(b)
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    b.heapWork.unrest[i] = 0.0
     if b.stillAt[i] == b.solveStamp then
       b.give[2 * i], b.give[2 * i + 1] = b.inverseMass[i], b.inverseMass[i]
-    end
-  end
-end
-
--- Adds to the `unrest` of the members of heaps by how much they overlapped when the step began, px.
-local function addUnrest(b)
-  local s, unrest = b.slants, b.heapWork.unrest
-  for n = 1, s.count do
-    local p = s.pair[s.base[n]]
-    local i, j = b.pairA[p], b.pairB[p]
-    if ball.isInHeap(b, i) and ball.isInHeap(b, j) and not b.passing[p] then
-      local depth = max(-ball.gapIn(b, b.origin, i, j), 0.0)
-      unrest[i], unrest[j] = unrest[i] + depth, unrest[j] + depth
     end
   end
 end
@@ -670,7 +755,6 @@ function slant.finish(b)
   rest(b)
   pairFinder.run(b, b.awakeList, b.awakeCount)
   heap.spreadStamp(b, b.heapWork.inHeap)
-  addUnrest(b)
   return true
 end
 

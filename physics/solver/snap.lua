@@ -35,7 +35,7 @@ local function stands(b, i)
     and b.down[k] ~= 0 -- it is dynamic
     and not (b.sensor[i] or b.buried[i])
     and shapes.isBox[b.shape[i]]
-    and b.velocity[k] * b.down[k] >= 0
+    and b.displacement[k] * b.down[k] >= 0
 end
 
 -- Whether slot i still stands on what it stood on.

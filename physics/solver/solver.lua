@@ -22,9 +22,11 @@ local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
+local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
 local islands = require(root .. ".sleep.islands")
+local links = require(root .. ".memory.links")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -39,7 +41,7 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 local solver = {}
 
 local DYNAMIC = constants.DYNAMIC
-local floor, max, min = math.floor, math.max, math.min
+local floor, max = math.floor, math.max
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
 local ROUNDS = 36
@@ -68,7 +70,11 @@ local function begin(b, dt)
   b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
   for n = 1, b.awakeCount do
     local i = list[n]
+    local x, y = b.velocity[2 * i], b.velocity[2 * i + 1]
     changed[n], dirty[i], b.impactsOf[i] = i, b.dirtyStamp, 0
+    if not b.isFree[i] then
+      x, y = forces.limit(b, i, x, y)
+    end
     for k = 2 * i, 2 * i + 1 do
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
@@ -80,7 +86,7 @@ local function begin(b, dt)
       give[k] = not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
-        start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
+        start[k] = (k % 2 == 0 and x or y) + b.carried[k]
         accel[k] = (freeSpeed[k] - start[k]) / dt
       else
         start[k] = speed[k]
@@ -141,7 +147,7 @@ end
 -- nothing was swept yet, so that pairs may be added.
 local function pressRound(b, dt, isFirst)
   for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
-    local hasNew = isFirst and (n > 1 or not slant.hasWall(b)) and slant.find(b)
+    local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or slant.isViolated(b) then
       slant.press(b)
       settleLate(b, dt, false)
@@ -186,6 +192,14 @@ local function runRounds(b, dt, awakenings)
   return b.overlapCount > 0 or b.isTight
 end
 
+-- Notes that body k is crushed: between those that hold it, unless its neighbours press it.
+local function noteCrush(b, k)
+  if not b.crushed[k] then
+    b.crushed[k], b.hasCrushed = true, true
+    b.crushLow[k], b.crushHigh[k] = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
+  end
+end
+
 -- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits
 -- of contacts that begin so, and which bodies are crushed: squeezed between two that cannot give
 -- way.
@@ -205,11 +219,24 @@ local function notePressed(b, axis)
         impact.note(b, p, floor(kl * 0.5), axis, max(b.start[kl] - b.start[kh], 0.0), 0)
       end
       if squeezed[kl] ~= 0 then
-        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = floor(kh * 0.5), true, true
+        noteCrush(b, kl)
+        b.crushHigh[kl] = floor(kh * 0.5)
       end
       if squeezed[kh] ~= 0 then
-        b.crushLow[kh], b.crushed[kh], b.hasCrushed = floor(kl * 0.5), true, true
+        noteCrush(b, kh)
+        b.crushLow[kh] = floor(kl * 0.5)
       end
+    end
+  end
+end
+
+-- Notes a hit of those that were parted before the solve.
+local function noteParted(b)
+  local work = b.partWork
+  for n = 1, work.partedCount do
+    local p = links.pairOf(b, work.low[n], work.high[n])
+    if p and not b.passing[p] then
+      impact.note(b, p, work.low[n], work.axis[n], 0.0, 0.0)
     end
   end
 end
@@ -234,6 +261,7 @@ local function solve(b, dt)
   end
   notePressed(b, 0)
   notePressed(b, 1)
+  noteParted(b)
   if b.slants.count > 0 then
     slant.tell(b)
   end

@@ -414,6 +414,11 @@ local function hear(self, name, a, b, side, more)
     if id then
       self.crushed[id] = true
     end
+    for _, other in ipairs({ b, side }) do -- the two that hold it
+      if type(other) ~= "table" or other == a then
+        self:complain("crush", ("%s is crushed by %s"):format(nameOf(self, a), tostring(other)))
+      end
+    end
     return
   end
   local key, isSwapped = keyOf(self, a, b)

@@ -116,6 +116,73 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
   end)
 end)
 
+-- A game with all that keeps the slots of static objects: what is added, moved, a zone, a state, and
+-- a box that is put into the middle of a block. Returns it as text.
+local function tell(library)
+  local world, log = library.newWorld({ gravity = 800 }), {}
+  local function wall(name, x, y, w, h, fields)
+    local object = { x = x, y = y, width = w, height = h, static = true }
+    for key, value in pairs(fields or {}) do
+      object[key] = value
+    end
+    return world:add(name, object)
+  end
+  wall("block", 0, 0, 200, 200)
+  wall("above", 0, -100, 200, 100)
+  wall("below", 0, 200, 200, 100)
+  wall("left", -100, 0, 100, 200)
+  wall("right", 200, 0, 100, 200)
+  wall("winds", 300, -500, 100, 900, { sensor = true, area = { ax = 50 } })
+  local shelf = wall("shelf", 600, 300, 50, 10)
+  world:add("crates", { x = 90, y = -400, width = 20, height = 20 }) -- at "above" in step 50
+  world:add("crates", { x = 310, y = -400, width = 20, height = 20 })
+  local hero = world:add("hero", { x = 1000, y = 0, width = 20, height = 20, gravity = 0 })
+  function hero.onCrush(_, a, b, axis)
+    local one, other = a and world:groupOf(a), b and world:groupOf(b)
+    log[#log + 1] = ("crushed by %s and %s, %s"):format(tostring(one), tostring(other), axis)
+  end
+  for n = 1, 70 do
+    if n == 20 then
+      wall("late", 300, 100, 60, 10)
+    elseif n == 40 or n == 50 then
+      shelf.x, hero.x, hero.y = 650 - n, 90, 85
+      world:refresh(shelf)
+    elseif n == 45 then
+      hero.x, hero.y = 1000, 0
+    elseif n == 60 then
+      log[#log + 1] = world:restore(world:save())
+    end
+    world:update(1 / 60)
+    log[#log + 1] = world:hash()
+  end
+  return table.concat(log, "\n")
+end
+
+describe("slots of static objects that lie alone", function()
+  it("may change whenever pairs are linked, and nothing notices", function()
+    local expected, moves = tell(require("physics")), 0
+    fresh.during(function(library)
+      local allot = require("physics.memory.allot")
+      local embodyLinked = allot.embodyLinked
+      function allot.embodyLinked(b, count)
+        embodyLinked(b, count)
+        local one, other = b.linkOne[1], b.linkOther[1]
+        for i = b.slots, b.lastBody + 1, -1 do
+          if b.object[i] and i > b.lastBody then
+            b.linkOne[1], b.linkOther[1] = i, i
+            embodyLinked(b, 1)
+            moves = moves + 1
+          end
+        end
+        b.linkOne[1], b.linkOther[1] = one, other
+      end
+      assert.equal(expected, tell(library))
+    end)
+    assert.is_true(moves > 6)
+    assert.matches("crushed by above and block, y", expected)
+  end)
+end)
+
 describe("stamps", function()
   it("go on beyond 2^31, which bullets reach in a day", function()
     local world = require("physics").newWorld()

@@ -70,6 +70,7 @@ describe("the checks notice", function()
     { "a contact that begins twice", "pairing", "onBegin", 1, 2 },
     { "an end without a beginning", "pairing", "onEnd", 2, 3 },
     { "a beginning without an end", "pairing", "onBegin", 2, 3 },
+    { "a crush between one object and nobody", "crush", "onCrush", 2, 3 },
   }) do
     it(row[1], function()
       local one = player.new(SCENE)
@@ -82,7 +83,7 @@ describe("the checks notice", function()
         one:act({ "update", 1 / 60 })
         assert.is_true(n == 4 or watch:after(1 / 60) == nil)
       end
-      if row[2] == "pairing" then
+      if row[2] == "pairing" or row[2] == "crush" then
         one.world[row[3]](list[row[4]], list[row[5]], "top", 0)
       elseif row[2] == "touching" then
         list[row[3]].touching[row[4]] = list[row[5]]

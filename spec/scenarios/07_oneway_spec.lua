@@ -321,6 +321,37 @@ describe("oneWay: each of its four sides", function()
   })
 end)
 
+--       +-+
+--      .-"""-.     its upper quarters hold, the others let through
+--     (       )
+describe("oneWay: round", function()
+  local disc = scene.maker("discs", { oneWay = "top", radius = 50 })
+  local PAGES = { rate = variants.RATES, shift = { 0, 1 / 3 } }
+  row("{what}, with radius {radius}, at a {kind} one", PAGES, function(v)
+    local size = v.radius and 2 * v.radius or 20
+    local fields = { vx = v.vx, vy = v.vy, gravity = v.gravity, radius = v.radius }
+    local list = { disc("disc", 0, 0, 100, 100) }
+    list[1][2].static, list[1][2].kinematic = v.kind == "static", v.kind == "kinematic"
+    list[2] = scene.maker("bodies", fields)("body", v.x, v.y, size, size)
+    return list
+  end, { 1.5, "body.x ~ toX; body.y ~ toY, 0.7" }, {
+    "kind, radius, what, x, y, vx, vy, gravity, toX, toY",
+    { "static", nil, "a box lands on it", 40, -100, 0, 0, 800, 40, -20 },
+    { "static", 10, "a ball lands on it", 40, -100, 0, 0, 800, 40, -20 },
+    { "kinematic", 10, "a ball lands on it", 40, -100, 0, 0, 800, 40, -20 },
+    { "static", nil, "a box jumps through it", 40, 120, 0, -600, 800, 40, -20 },
+    { "static", 10, "a ball jumps through it", 40, 120, 0, -600, 800, 40, -20 },
+    { "kinematic", nil, "a box jumps through it", 40, 120, 0, -600, 800, 40, -20 },
+    { "static", 10, "a ball flies through it", -100, 60, 600, 0, 0, 800, 60 },
+    { "static", nil, "a box flies through it", -100, 60, 600, 0, 0, 800, 60 },
+  })
+
+  row("a ball rolls off it", PAGES, function()
+    local ball = scene.maker("balls", { radius = 10 })
+    return { disc("disc", 0, 0, 100, 100, { static = true }), ball("ball", 50, -30, 20, 20) }
+  end, { 2, "ball.x > 100; ball.y > 50" })
+end)
+
 describe("canCollide: of a one-way", function()
   row("is asked for what comes from the solid side", SOME, { way(), tile(), body({ y = 276 }) }, {
     SETTLE,

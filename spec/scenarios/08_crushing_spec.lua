@@ -3,6 +3,7 @@
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
 local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
@@ -324,4 +325,48 @@ it("onCrush: a ball is told once, also if the press stops or turns while it hold
       assert.same({ rate, after, 1 }, { rate, after, told })
     end
   end
+end)
+
+it("onCrush: who is put elsewhere leaves the same lift by the shortest way, at once", function()
+  local world, isCrushed = physics.newWorld({ gravity = 900 }), false
+  world:add("tiles", small.tile(736, 100, 48, 200))
+  local lift = small.put(640, 208, 48, 12, { kinematic = true, vx = 60 })
+  world:add("lifts", lift)
+  local man = world:add("men", small.put(720, 200, 12, 24, { gravity = 0 }))
+  function man.onCrush()
+    isCrushed = true
+  end
+  while not isCrushed do
+    world:update(1 / 60)
+  end
+  man.x, man.y, man.vx, man.vy, man.gravity = lift.x + 10, 208, 0, 0, 900
+  local x = man.x
+  small.run(world, 3)
+  assert.equal(x, man.x)
+  assert.is_true(man.y >= 220 and man.y < 222)
+end)
+
+it("onCrush: names two objects of the world where only one side of an object is pressed", function()
+  local world, told = physics.newWorld({ gravity = 800 }), 0
+  local function put(group, x, y, width, height, fields)
+    return world:add(group, small.put(x, y, width, height, fields))
+  end
+  put("floors", -200, 100, 800, 40, { static = true })
+  put("lifts", 26, 52, 21, 29, { kinematic = true, vx = 80, vy = 20 })
+  put("lifts", 53, 43, 23, 38, { kinematic = true, vx = -40, vy = 80 })
+  put("lifts", 4, 43, 22, 26, { kinematic = true, vy = 140 })
+  world:add("boxes", { x = 26, y = 62, radius = 10 })
+  put("boxes", 27, 65, 14, 12)
+  put("boxes", 31, 60, 8, 19)
+  function world.onCrush(object, a, b)
+    told = told + 1
+    for _, other in ipairs({ a, b }) do
+      assert.is_string(world:groupOf(other))
+      assert.not_equal(object, other)
+    end
+  end
+  for _ = 1, 40 do
+    world:update(1 / 60)
+  end
+  assert.is_true(told > 2)
 end)

@@ -252,14 +252,74 @@ function tiled.sti(map, offsetX, offsetY)
   return map
 end
 
+-- JSON --------------------------------------------------------------------------------------------
+
+local SHAPES = { ellipse = true, point = true, capsule = true, text = true }
+
+-- Properties as a list, in an order of its own.
+local function listProperties(owner)
+  local list = {}
+  for name, value in pairs(owner.properties or {}) do
+    local kind = type(value) == "table" and (value.id and "object" or "class") or type(value)
+    local isList = kind == "class" and value[1] ~= nil
+    local given = kind == "object" and value.id or value
+    if isList then
+      given = {}
+      for i, inner in ipairs(value) do
+        given[i] = { type = "string", value = inner }
+      end
+    end
+    list[#list + 1] = { name = name, type = isList and "list" or kind, value = given }
+  end
+  owner.properties = list[1] and list or nil
+end
+
+local function writeObjects(layer)
+  for _, object in ipairs(layer.objects or {}) do
+    listProperties(object)
+    if SHAPES[object.shape] then
+      object[object.shape] = true
+    end
+    object.shape = nil
+  end
+end
+
+local function writeLayers(layers)
+  for _, layer in ipairs(layers) do
+    listProperties(layer)
+    writeObjects(layer)
+    writeLayers(layer.layers or {})
+    layer.encoding = layer.encoding ~= "lua" and layer.encoding or nil
+  end
+end
+
+--- The table that a JSON library makes of the JSON that Tiled exports of a map.
+function tiled.json(map)
+  map = copy(map)
+  map.type, map.infinite = "map", map.infinite or false
+  writeLayers(map.layers)
+  for _, set in ipairs(map.tilesets) do
+    for _, tile in ipairs(set.tiles or {}) do
+      tile.objectgroup, tile.objectGroup = tile.objectGroup, nil
+      listProperties(tile)
+      writeObjects(tile.objectgroup or {})
+      if tile.image then
+        tile.imagewidth, tile.imageheight, tile.width, tile.height = tile.width, tile.height, nil, nil
+      end
+    end
+  end
+  return map
+end
+
 -- Rows --------------------------------------------------------------------------------------------
 
---- A map with this title must be read like that, through STI, too, unless `sti` is false.
+--- A map with this title must be read like that, also from JSON, and through STI unless `sti` is
+--- false.
 function tiled.row(title, map, expected, options, sti)
   -- busted gives its words to spec files, not to what they require
   local row = rawget(_G, "it") or require("busted").it
   row(title, function()
-    for _, each in ipairs({ map, sti ~= false and tiled.sti(map) or nil }) do
+    for _, each in ipairs({ map, tiled.json(map), sti ~= false and tiled.sti(map) or nil }) do
       local found = tiled.show(tiled.load(each, options))
       assert(found == expected, found)
     end

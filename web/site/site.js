@@ -6,14 +6,17 @@ const root = new URL("..", import.meta.url); // this file lies in assets/
 
 // Puts the game into the place of its picture.
 function start(example) {
-  const wishes = new URLSearchParams({ example: example.dataset.example });
+  const { example: name, keys } = example.dataset;
+  const wishes = new URLSearchParams({ example: name, keys });
+  if (example.matches(".hero")) wishes.set("wide", ""); // its picture scrolls: it fills any frame
   if (new URLSearchParams(location.search).has("say")) wishes.set("say", "");
   const frame = document.createElement("iframe");
-  frame.title = `The example ${example.dataset.example}`;
+  frame.title = `The example ${name}`;
   frame.allow = "autoplay; fullscreen";
   frame.src = new URL(`play/?${wishes}`, root);
   frame.addEventListener("load", () => frame.contentWindow.focus());
   example.replaceChildren(frame);
+  example.scrollIntoView({ block: "nearest" });
 }
 
 const wished = new URLSearchParams(location.search).get("example");
@@ -56,6 +59,15 @@ for (const block of document.querySelectorAll(".md-typeset .language-lua.highlig
   link.textContent = "Run it in the playground";
   link.href = new URL(`playground/#code=${await pack(code)}`, root);
   block.after(link);
+}
+
+// The page of a wrong address offers to search the words of that address.
+const lost = document.querySelector(".lost");
+if (lost) {
+  const words = location.pathname.split(/[^\p{L}\p{N}]+/u).filter((word) => word.length > 2 && word !== "html");
+  const last = words.at(-1) ?? "";
+  lost.search = new URLSearchParams({ q: last });
+  lost.querySelector("strong").textContent = last || "another word";
 }
 
 document.documentElement.dataset.isReady = ""; // for the tests

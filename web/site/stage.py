@@ -30,38 +30,65 @@ PAGES = {
     "bench/README.md": "benchmark.md",
 }
 
-# The menu. A page that does not exist is left out. A page of docs/ that is not named here stands at
-# the end of the last section. `guide/*` are all pages of the folder, in the order in which its
-# index.md names them.
+# The menu: pages, and sections of pages. A page that does not exist is left out. A page of docs/ that is
+# not named here stands at the end of the last section. `guide/*` are all pages of the folder that are not
+# named, in the order in which its index.md names them.
 MENU = [
     ("Start", ["index.md"]),
-    ("Guide", ["guide/*", "platformers.md", "topdown.md", "maps.md", "events.md", "state.md", "recipes.md"]),
-    ("Examples", ["examples/*"]),
+    ("Guide", [
+        "guide/index.md",
+        ("Learn", ["platformers.md", "topdown.md", "recipes.md"]),
+        ("Ideas", ["guide/*", "events.md", "state.md"]),
+        ("Around it", ["maps.md", "guide/files.md", "guide/sprites.md", "guide/input.md", "guide/debugging.md"]),
+    ]),
+    ("Examples", ["examples/index.md", "examples/*"]),
     ("Playground", ["playground.md"]),
     ("Reference", [
         "api.md", "api/fields.md", "api/settings.md", "api/world.md", "api/queries.md", "api/maps.md", "api/types.md",
     ]),
     ("More", [
         "compare.md", "faq.md", "coming-from.md", "glossary.md", "performance.md", "reliability.md", "size.md",
-        "architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md",
+        ("For developers", ["architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md"]),
     ]),
 ]
+DEVELOPERS = MENU[-1][1][-1][1]
+
+# What readers search, and the section does not call so. Each is a result of the search of its own.
+WORDS = {
+    "faq.md": ["Ragdoll", "Joint", "Hinge", "Rope", "Chain"],
+    "faq.md#why-does-my-player-stick-to-walls": ["Stuck", "Stick", "Cling"],
+    "guide/contacts.md#bouncing": ["Bounce", "Bouncy", "Elastic"],
+    "guide/contacts.md#touching": ["isGrounded", "is_on_floor", "isOnGround", "IsTouching", "isColliding"],
+    "guide/filters.md#one-way-objects": ["One way platform", "Jump through", "Semisolid"],
+    "guide/motion.md#zones": ["Swim", "Swimming", "Buoyancy", "Underwater"],
+    "guide/objects.md#adding-and-removing": ["Object pooling", "Object pool"],
+    "guide/sprites.md": ["Particles", "Particle system"],
+    "guide/steps.md": ["Delta time", "deltaTime", "Slow motion", "Bullet time"],
+    "index.md#install": ["License", "Licence", "Mobile", "Android", "iOS", "Web", "Browser", "HTML5"],
+    "platformers.md#slopes": ["Steep slope", "Max slope angle", "floor_max_angle"],
+    "platformers.md#step-5-coyote-time": ["Jump buffer", "Buffered jump"],
+    "recipes.md#camera": ["Scaling", "Scale", "Resolution", "Fullscreen", "Pixel perfect", "Screen shake"],
+    "recipes.md#knock-back": ["Knockback", "Hitstun", "Stun"],
+    "recipes.md#portals": ["Wrap", "Screen wrap", "Wrap around"],
+    "recipes.md#sokoban": ["Grid movement", "Tile based movement", "Turn based"],
+    "recipes.md#sword": ["Attack", "Melee"],
+}
 
 EXAMPLE = """\
 # {title}
 
 {text}
 
-<div class="example" data-example="{name}">
+<div class="example" data-example="{name}" data-keys="{keys}">
 <button type="button"><img src="../../pictures/{name}.png" alt="{title}"><span>▶ Play</span></button>
 </div>
-{comment}
+<p class="try-links"><a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a></p>
 
-<a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a>
+{comment}
 
 ## Source {{ data-search-exclude }}
 
-`examples/{name}.lua`. The files that it requires are in the folder {folder}.
+`examples/{name}.lua`. It needs beside it, from the folder {folder}: {beside}.
 
 <div data-no-try markdown>
 
@@ -81,24 +108,38 @@ GALLERY = """\
 
 Each one runs in its page, in your browser. `make demo` opens them in LÖVE.
 
+To start a game of your own, copy a step of [Platformers](../platformers.md) or [Top-down games](../topdown.md): each is a
+whole program. An example needs the files that its page names with its source.
+
 <div class="gallery">
 {cards}
 </div>
 """
 
-# What stands before the text of a page: how it is shown and found.
-HEADS = {
-    "index.md": "---\nhide: [navigation, toc]\n---\n",
-    "api.md": "---\nsearch: { boost: 2 }\n---\n",
-    "api/fields.md": "---\nsearch: { boost: 4 }\n---\n",
-    "api/world.md": "---\nsearch: { boost: 4 }\n---\n",
-    "faq.md": "---\nsearch: { boost: 3 }\n---\n",
-    "state.md": "---\nsearch: { boost: 5 }\n---\n",
+# What a page is about, where its first sentences do not say so.
+DESCRIPTIONS = {
+    "index.md": "2D physics for LÖVE games made of boxes, slopes and balls: pure Lua, one file, and your own tables are the objects.",
+    "api/maps.md": "Reference: loadTiled, loadLDtk, addTiles, and the tiles and levels that they return.",
+    "api/queries.md": "Reference: rectangles, circles, rays, sweeps, nearest, ground and the other queries of a world.",
+    "api/settings.md": "Reference: gravity, push, masks, soft groups, time steps and the other settings of a world.",
+    "api/types.md": "Reference: the types that editors with LuaLS or EmmyLua annotations show.",
+    "api/world.md": "Reference: make a world, add and remove objects, update, save, restore, draw.",
+    "coming-from.md": "For games that use bump.lua, love.physics or windfield: what each call is called here.",
+    "faq.md": "Why does it not move, stick, jitter, fall through the floor? And where is what you look for?",
+    "examples/index.md": "Games and toys that run in your browser, with their sources.",
+    "guide/index.md": "The ten ideas of physics.lua, and where each is explained.",
+    "performance.md": "What a step costs, beside love.physics and bump.lua, and how to measure your game.",
+    "size.md": "How large the library is, how long it loads and what an object takes, beside bump.lua.",
+    "glossary.md": "The words of this manual, each in a line.",
 }
+
+# How early the search shows a page; 1 is usual. Pages for developers come last.
+BOOSTS = {"api.md": 2, "api/fields.md": 4, "api/world.md": 4, "faq.md": 3, "state.md": 5}
+BOOSTS.update(dict.fromkeys(DEVELOPERS, 1e-6))
 
 # The front page begins with an example over its whole width, and four buttons.
 HERO = """\
-<div class="hero example" data-example="hills">
+<div class="hero example" data-example="hills" data-keys="{keys}">
 <button type="button">{video}<span>▶ Play</span></button>
 </div>
 <p class="hero-words">{words}</p>
@@ -111,13 +152,9 @@ HERO = """\
 """
 
 PLAYGROUND = """\
----
-template: playground.html
-hide: [navigation, toc, footer]
----
 # Playground
 
-A program on the left, its picture on the right.
+Write a program for LÖVE on the left and see it run on the right, in your browser.
 """
 
 
@@ -190,13 +227,74 @@ def lead(target, source):
 STEP = re.compile(r"\[The whole program\]\(steps/(\w+)\.lua\)")
 
 
+def slug(heading):
+    return re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-")
+
+
+def add_words(markdown, page):
+    """Marks the sections of WORDS. Returns the page, and for each word its place and how the search shows it."""
+    wanted = {place.partition("#")[2]: words for place, words in WORDS.items() if place.partition("#")[0] == page}
+    lines, found = [], []
+    for line, is_code in split_code(markdown):
+        heading = not is_code and re.match(r"(#+ )(.*)", line)
+        for word in wanted.pop(slug(heading[2]) if heading[1] != "# " else "", []) if heading else []:
+            anchor = f"search-{slug(word)}"
+            line = line.replace(heading[1], f'{heading[1]}<a id="{anchor}"></a>', 1)
+            found.append((f"{re.sub('(^|/)index$', '', page[:-3]) + '/'}#{anchor}".lstrip("/"), word))
+        lines.append(line)
+    for anchor in wanted:
+        fail(f"{page} has no section {anchor}, for which WORDS has words")
+    return "\n".join(lines), found
+
+
+FIELDS = re.compile(r"^\| name \| value \| default \| meaning \|\n(?:\|.*\n)+", re.MULTILINE)
+
+
+def mark_fields(markdown):
+    """Marks the tables of fields, whose rows become cards on a phone."""
+    return FIELDS.sub(lambda table: f'<div class="fields" markdown>\n\n{table[0]}\n</div>\n', markdown)
+
+
+def describe(markdown):
+    """The first sentences of a page, for those who see its address elsewhere."""
+    prose = "\n".join("" if is_code else line for line, is_code in split_code(markdown))
+    found = ""
+    for paragraph in re.split(r"\n\s*\n", prose):
+        if found and paragraph.startswith("#"):
+            break
+        if " · " in paragraph or not re.match(r"""(?!\d+\.)(\w|[`"\[]|\*\*)""", paragraph):
+            continue  # links, a list, a table, a picture and the words below it
+        text = re.sub(r"\[([^\]]*)\]\([^)]*\)|<[^>]*>", r"\1", paragraph.replace("\n", " "))
+        for sentence in re.findall(r".+?(?:[.!?](?= |$)|:$)", re.sub("[`*]", "", text).replace('"', "'")):
+            if found and len(found) + len(sentence) > 170:
+                return found
+            found = f"{found} {re.sub(':$', '.', sentence.strip())}".strip()
+    return found
+
+
+def head(page, text):
+    """What stands before the text of a page: how it is shown and found."""
+    about = text.partition("</div>")[2] if page in example_pages() else text
+    values = {"description": DESCRIPTIONS.get(page) or describe(about) or fail(f"{page} needs a line in DESCRIPTIONS")}
+    if page in BOOSTS:
+        values["search"] = {"boost": BOOSTS[page]}
+    if page == "index.md":
+        values["hide"] = ["navigation", "toc"]
+    elif page == "playground.md":
+        values.update(template="playground.html", hide=["navigation", "toc", "footer"])
+    elif page.startswith("examples/"):
+        values["hide"] = ["toc"]
+    # What is JSON is YAML.
+    return f"---\n{json.dumps(values, ensure_ascii=False)}\n---\n"
+
+
 def add_hero(markdown):
     """Puts the example and the buttons into the place of the picture and the links of the README."""
     picture = markdown.index("<video")
     video = markdown[picture : markdown.index("</video>") + len("</video>")]
     end = markdown.index("```lua")
     words = re.search(r"^\*(.+)\*$", markdown[picture:end], re.MULTILINE)[1]
-    hero = HERO.format(video=video, words=words)
+    hero = HERO.format(video=video, words=words, keys=keys_of("hills"))
     return markdown[:picture] + hero + "\n" + markdown[end:]
 
 
@@ -261,6 +359,46 @@ def examples():
     return re.findall(entry, read("examples/menu.lua")) or fail("examples/menu.lua has no entries")
 
 
+LESSONS = re.findall(r'^  "(\w+)",$', read("examples/tutorial.lua"), re.MULTILINE)
+
+
+def keys_of(name):
+    """The keys of an example, for which a screen that is touched shows buttons: "left,right,space=jump".
+    A hint of an example is its keys and what they do; the tutorial has hints of its pages, too."""
+    sources = [name, *(f"lessons/{lesson}" for lesson in LESSONS if name == "tutorial")]
+    text = "".join(read(f"examples/{source}.lua") for source in sources)
+    arrows, others = [], {}
+    for hints in re.findall(r"\bkeys = \{(\s*\{.*?\})\s*,?\s*\}", text, re.DOTALL):
+        for hint in re.findall(r"\{([^{}]*)\}", hints):
+            *keys, does = re.findall(r'"([^"]*)"', hint)
+            for key in keys:
+                if key in ("left", "right", "up", "down"):
+                    arrows.append(key)
+                elif key == "space" or re.fullmatch("[a-z0-9]", key):
+                    is_named = len(keys) == 1 and key not in others
+                    others[key] = f"{key}={does.split(',')[0]}" if is_named else key
+    return ",".join([*arrows, *others.values()]) or fail(f"examples/{name}.lua has no keys")
+
+
+def beside(name):
+    """The files that an example needs, as examples/README.md names them."""
+    row = re.search(rf"^\| \[{name}\.lua\].*\| (.*) \|$", read("examples/README.md"), re.MULTILINE)
+    return row[1] if row else fail(f"examples/README.md has no row of {name}.lua")
+
+
+def lessons():
+    """The pages of the tutorial, to be read below it: on a phone its letters are small."""
+    text = ["", "## The ten pages"]
+    for number, lesson in enumerate(LESSONS, 1):
+        source = read(f"examples/lessons/{lesson}.lua")
+        title = re.search(r'title = "([^"]*)"', source)[1]
+        words, code = (re.search(rf"\b{part} = \[\[\n(.*?)\]\]", source, re.DOTALL) for part in ("text", "code"))
+        text.append(f"### {number}. {title}\n\n{space_lists(words[1])}")
+        if code:
+            text.append(f"```lua\n{code[1]}\n```")
+    return "\n\n".join(text)
+
+
 def head_comment(source):
     """The comment at the beginning of a source, as Markdown."""
     lines = []
@@ -278,8 +416,8 @@ def write_examples(write):
             fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
         source = read(f"examples/{name}.lua").rstrip()
         folder = translate("[examples](examples)", "README.md")
-        values = {"name": name, "title": title, "text": text, "folder": folder}
-        comment = head_comment(source)
+        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "beside": beside(name), "folder": folder}
+        comment = head_comment(source) + (lessons() if name == "tutorial" else "")
         write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
         cards.append(CARD.format(**values))
     write("examples/index.md", GALLERY.format(cards="\n".join(cards)))
@@ -290,47 +428,59 @@ def write_examples(write):
 
 def order_guide(pages):
     """The pages of the guide in the order in which its index.md names them."""
-    text = read("docs/guide/index.md") if "guide/index.md" in pages else ""
+    text = read("docs/guide/index.md")
 
     def place(page):
         at = text.find("(" + posixpath.basename(page))
-        return (page != "guide/index.md", at < 0, at, page)
+        return (at < 0, at, page)
 
     return sorted(pages, key=place)
 
 
-def order_examples(pages):
-    return ["examples/index.md", *(f"examples/{name}.md" for name, _, _ in examples())]
+def example_pages():
+    return [f"examples/{name}.md" for name, _, _ in examples()]
+
+
+def named(entries):
+    """All pages that a part of MENU names."""
+    return [page for entry in entries for page in (named(entry[1]) if isinstance(entry, tuple) else [entry])]
 
 
 def make_menu(pages):
     """Every page stands in the menu, once."""
-    left = set(pages)
-    menu = []
-    for title, names in MENU:
-        entries = []
-        for name in names:
-            if name in left:
-                entries.append(name)
-            elif name.endswith("/*"):
-                order = order_guide if name == "guide/*" else order_examples
-                entries += order([page for page in pages if page.startswith(name[:-1])])
-        left -= set(entries)
-        menu.append((title, entries))
-    menu[-1][1].extend(sorted(left))
-    return [
-        {title: entries[0] if len(entries) == 1 else entries} for title, entries in menu if entries
-    ]
+    free = [page for page in pages if page not in named(MENU)]
+
+    def expand(entries):
+        found = []
+        for entry in entries:
+            if isinstance(entry, tuple):
+                inner = expand(entry[1])
+                found += [{entry[0]: inner[0] if len(inner) == 1 else inner}] if inner else []
+            elif entry in pages:
+                found.append(entry)
+            elif entry.endswith("/*"):
+                inner = [page for page in free if page.startswith(entry[:-1])]
+                inner = order_guide(inner) if entry == "guide/*" else example_pages()
+                free[:] = [page for page in free if page not in inner]
+                found += inner
+        return found
+
+    menu = expand(MENU)
+    *_, last = menu[-1].values()
+    last[-1:-1] = sorted(free)
+    return menu
 
 
 def main():
     target = Path(sys.argv[1])
-    pages = []
+    pages, words = [], []
 
     def write(name, text):
         pages.append(name)
         (target / "docs" / name).parent.mkdir(parents=True, exist_ok=True)
-        (target / "docs" / name).write_text(HEADS.get(name, "") + text, encoding="utf-8")
+        text, found = add_words(mark_fields(text), name)
+        words.extend(found)
+        (target / "docs" / name).write_text(head(name, text) + text, encoding="utf-8")
 
     only_github = shutil.ignore_patterns("*.webp", "*.gif")
     shutil.copytree(ROOT / "docs", target / "docs", dirs_exist_ok=True, ignore=only_github)
@@ -344,7 +494,7 @@ def main():
             write(name, add_hero(text) if name == "index.md" else text)
     write_examples(write)
     write("playground.md", PLAYGROUND)
-    # What is JSON is YAML.
+    (target / "words.json").write_text(json.dumps(words), encoding="utf-8")
     menu = json.dumps(make_menu(pages), ensure_ascii=False, indent=2)
     owner, name = REPOSITORY.split("/")[-2:] if REPOSITORY else ("", "")
     site = f"https://{owner.lower()}.github.io/{name}/"

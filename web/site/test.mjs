@@ -20,14 +20,19 @@ const KEYS = "right:20-120,space:45-55,2:100,space:130-150,left:160-220,down:230
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-const { site, open, finish } = await begin(SITE);
+const LAPTOP = { viewport: { width: 1280, height: 720 } };
+const SHARP_PHONE = { ...PHONE, deviceScaleFactor: 2 };
+
+// The page of a wrong address asks for all from the root of the published site.
+const address = readFileSync("build/site-source/mkdocs.yml", "utf8").match(/^site_url: (\S+)/m)?.[1];
+const BASE = address ? new URL(address).pathname : "/";
+
+const { site, open, finish } = await begin(SITE, BASE);
 mkdirSync(PICTURES, { recursive: true });
 
 const files = readdirSync(SITE, { recursive: true }).map((name) => name.replaceAll("\\", "/"));
 const pages = files.filter((name) => name.endsWith(".html")).sort();
-// The page of a wrong address asks for all from the root of the published site.
 const articles = pages.filter((name) => !name.startsWith("play/") && name !== "404.html");
-const BASE = /^\/physics\.lua\//;
 const addressOf = (file) => "/" + file.replace(/(^|\/)index\.html$/, "$1");
 
 function quiet(told) {
@@ -48,7 +53,8 @@ async function readPages() {
       const sources = all("[src]", (each) => each.getAttribute("src"));
       const anchors = all("[id], a[name]", (each) => each.id || each.name);
       const lists = all("p, li", (each) => each.textContent).filter((text) => /\n([-*] |\d+\. )/.test(text));
-      return [name, { links: [...links, ...sources], anchors, lists }];
+      const description = document.querySelector('meta[name="description"]')?.content ?? "";
+      return [name, { links: [...links, ...sources], anchors, lists, description }];
     };
     return Object.fromEntries(Object.entries(texts).map(read));
   }, texts);
@@ -59,7 +65,7 @@ async function readPages() {
 // Why a link of a page is dead, or null. Other sites are not asked.
 function whyDead(link, from, found) {
   if (/^(https?:|mailto:|data:)/.test(link)) return null;
-  const url = new URL(link.replace(BASE, "/"), "http://site/" + from);
+  const url = new URL(link.startsWith(BASE) ? "/" + link.slice(BASE.length) : link, "http://site/" + from);
   let file = decodeURIComponent(url.pathname).slice(1);
   if (file === "" || file.endsWith("/")) file += "index.html";
   if (!files.includes(file) || statSync(join(SITE, file)).isDirectory()) return `there is no ${file}`;
@@ -89,6 +95,18 @@ async function checkLinks() {
   await check("every list is one", () => {
     const broken = pages.flatMap((name) => found[name].lists.map((text) => `${name}: ${text}`));
     assert(broken.length === 0, broken.join("\n"));
+  });
+  await check("every page has a description of its own, and that of the site names LÖVE", () => {
+    const seen = new Map();
+    for (const name of articles) {
+      const { description } = found[name];
+      assert(description.length > 20, `${name}: "${description}"`);
+      assert(!seen.has(description), `${name} has that of ${seen.get(description)}: ${description}`);
+      seen.set(description, name);
+    }
+    assert(/LÖVE/.test(found["index.html"].description), found["index.html"].description);
+    assert(/LÖVE/.test(readFileSync(join(SITE, "index.html"), "utf8").match(/<title>(.*?)<\/title>/)[1]), "the title");
+    return `${seen.size} pages`;
   });
 }
 
@@ -137,47 +155,242 @@ async function checkColors() {
   });
 }
 
-// What is typed, what the first result must be about.
+// How far two colours of a text are apart, at the worst place of a page: 4.5 : 1 is wanted, 3 : 1 of large
+// letters. Also, which links in its text are not underlined.
+function findPale() {
+  const sheet = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const read = (color) => {
+    sheet.clearRect(0, 0, 1, 1);
+    sheet.fillStyle = color;
+    sheet.fillRect(0, 0, 1, 1);
+    const [red, green, blue, alpha] = sheet.getImageData(0, 0, 1, 1).data;
+    return { color: [red, green, blue], alpha: alpha / 255 };
+  };
+  const over = (upper, lower) => lower.map((part, i) => upper.color[i] * upper.alpha + part * (1 - upper.alpha));
+  const light = (color) => {
+    const [red, green, blue] = color.map((part) => (part < 10 ? part / 3294 : ((part / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
+  };
+  const behind = (element) => {
+    const layers = [];
+    for (let each = element; each; each = each.parentElement) layers.push(read(getComputedStyle(each).backgroundColor));
+    return layers.reduceRight((lower, upper) => over(upper, lower), [255, 255, 255]);
+  };
+  const isLink = (element) => element.matches(".md-typeset p a[href], .md-typeset li a[href], .md-typeset td a[href]");
+  const found = { texts: 0, links: 0, pale: new Set(), plain: new Set() };
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const text = walker.currentNode.textContent.trim();
+    const element = walker.currentNode.parentElement;
+    const isSeen = element.checkVisibility({ opacityProperty: true, visibilityProperty: true });
+    if (!text || !isSeen || element.closest("script, style, .md-search")) continue;
+    const style = getComputedStyle(element);
+    const size = parseFloat(style.fontSize);
+    const isLarge = size >= 24 || (size >= 18.6 && Number(style.fontWeight) >= 700);
+    const back = behind(element);
+    const lights = [light(over(read(style.color), back)), light(back)].sort((a, b) => b - a);
+    const ratio = lights[0] / lights[1];
+    found.texts += 1;
+    if (ratio < (isLarge ? 3 : 4.5)) found.pale.add(`${ratio.toFixed(2)}: ${text.slice(0, 40)}`);
+    const link = element.closest("a");
+    if (!link || !isLink(link) || link.closest(".hero-links, .headerlink, .try, .footnote-backref")) continue;
+    found.links += 1;
+    if (!getComputedStyle(link).textDecorationLine.includes("underline")) found.plain.add(text.slice(0, 40));
+  }
+  return { ...found, pale: [...found.pale], plain: [...found.plain] };
+}
+
+async function checkReading() {
+  for (const colorScheme of ["light", "dark"]) {
+    await check(`${colorScheme}: text is 4.5 : 1 away from what is behind it, links in text are underlined`, async () => {
+      const told = await open("/", { ...DESKTOP, colorScheme });
+      let texts = 0, links = 0;
+      for (const name of ["", "faq/", "guide/", "guide/motion/", "api/fields/", "compare/", "examples/lifts/", "playground/"]) {
+        await told.page.goto(`${site}/${name}`);
+        await told.page.locator("html[data-is-ready]").waitFor();
+        const found = await told.page.evaluate(findPale);
+        assert(found.pale.length === 0, `${name}: ${found.pale.join("\n")}`);
+        assert(found.plain.length === 0, `${name}: not underlined: ${found.plain.join("\n")}`);
+        texts += found.texts;
+        links += found.links;
+      }
+      await told.close();
+      assert(texts > 1000 && links > 100, `${texts} texts, ${links} links`);
+      return `${texts} texts, ${links} links`;
+    });
+  }
+}
+
+async function checkMenu() {
+  await check("in the menu of the guide Learn stands above Ideas", async () => {
+    const { page, close } = await open("/guide/", DESKTOP);
+    const menu = page.locator(".md-sidebar--primary .md-nav__link");
+    const heightOf = async (name) => (await menu.getByText(name, { exact: true }).first().boundingBox()).y;
+    const [learn, recipes, ideas] = [await heightOf("Learn"), await heightOf("Recipes"), await heightOf("Ideas")];
+    await close();
+    assert(learn < recipes && recipes < ideas, `${learn}, ${recipes}, ${ideas}`);
+  });
+}
+
+async function checkFields() {
+  await check("the fields stand in groups; on a phone each shows its meaning", async () => {
+    const { page, close } = await open("/api/fields/", PHONE);
+    const groups = await page.locator("h2").allInnerTexts();
+    for (const name of ["Place and shape", "Motion", "Contacts", "Events"]) {
+      assert(groups.some((each) => each.startsWith(name)), `${name} is none of ${groups}`);
+    }
+    const cells = page.locator(".fields td:last-child");
+    assert((await cells.count()) > 40, `${await cells.count()} fields`);
+    const boxes = await cells.evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+    const width = PHONE.viewport.width;
+    assert(boxes.every(({ left, right, width: own }) => left >= 0 && right <= width && own > 250), JSON.stringify(boxes[0]));
+    await page.locator("#field-mass").scrollIntoViewIfNeeded();
+    await page.screenshot({ path: join(PICTURES, "fields-phone.png") });
+    await close();
+    return `${boxes.length} fields`;
+  });
+}
+
+async function checkLost() {
+  await check("a wrong address leads to the search, the guide and the examples", async () => {
+    const told = await open("/guide/knockback.html", DESKTOP);
+    const { page } = told;
+    await page.locator("html[data-is-ready]").waitFor();
+    const main = page.locator(".md-content");
+    assert(/does not exist/.test(await main.innerText()), await main.innerText());
+    for (const name of ["Guide", "Recipes", "Reference", "Examples", "playground"]) {
+      const link = await main.getByRole("link", { name, exact: true }).evaluate((each) => each.href);
+      assert((await page.request.get(link)).ok(), link);
+    }
+    await page.screenshot({ path: join(PICTURES, "lost.png") });
+    await page.locator(".lost").click();
+    await page.locator(".md-search-result__item").first().waitFor();
+    const text = await page.locator(".md-search-result__item").first().innerText();
+    await told.close();
+    const errors = told.errors.filter((each) => !/knockback\.html|status of 404/.test(each));
+    assert(errors.length === 0, errors.join("\n"));
+    assert(/Knockback/.test(text), text);
+    return "a search for knockback";
+  });
+}
+
+// What is typed, what one of the first three results must be about. A result is a page, then its sections.
 const SEARCHES = {
   oneWay: /oneWay/,
   rotate: /Questions/,
   hp: /Questions/,
   "save game": /Questions|State/,
   trampoline: /Questions/,
-  multiplayer: /Questions/,
+  multiplayer: /Questions|State/,
+  "jump buffer": /Platformers/,
+  "one way platform": /Filters/,
+  "jump through": /Filters/,
+  scaling: /Recipes|Scal/,
+  resolution: /Recipes|Scal/,
+  fullscreen: /Recipes|Scal/,
+  "pixel perfect": /Recipes|Scal/,
+  "delta time": /Steps/,
+  "slow motion": /Slow motion/,
+  "object pooling": /Object pool/,
+  knockback: /Knock-?back/,
+  hitstun: /Hitstun/,
+  isGrounded: /Contacts/,
+  is_on_floor: /Contacts/,
+  IsTouching: /Contacts/,
+  license: /License/,
+  mobile: /Mobile|phone/,
+  android: /Android|phone/,
+  ios: /iOS/,
+  web: /Web|browser/,
+  browser: /Browser/i,
+  swim: /Zones|Swim/,
+  wrap: /Portals|Wrap/,
+  attack: /Sword|Attack/,
+  ragdoll: /Questions/,
+  "grid movement": /Sokoban|Grid/,
+  "screen shake": /Camera|shake/,
+  particles: /sprites/,
+  "steep slope": /Slopes|Steep/,
+  "max slope angle": /Slopes|slope/,
+  bounce: /Contacts/,
+  friction: /Contacts/,
+  stuck: /Questions/,
 };
+const FOR_DEVELOPERS = /^\/(architecture|contributing|testing|benchmark|changelog)\//;
 
 async function checkSearch() {
+  const told = await open("/", DESKTOP);
+  const { page } = told;
+  const input = page.locator(".md-search__input");
+  const read = (results) => results.map((each) => ({ text: each.innerText, path: new URL(each.querySelector("a").href).pathname }));
+  const results = () => page.locator(".md-search-result__item").evaluateAll(read);
+  await input.click();
   for (const [word, wanted] of Object.entries(SEARCHES)) {
-    const told = await open("/", DESKTOP);
     await check(`the search finds ${word}`, async () => {
-      await told.page.locator(".md-search__input").click();
-      await told.page.keyboard.type(word);
-      const results = told.page.locator(".md-search-result__item");
+      await input.fill("");
+      await input.pressSequentially(word);
       // Results of the first letters may come before those of the word.
-      const first = async () => ((await results.count()) > 0 ? results.first().innerText() : "");
-      await until(async () => wanted.test(await first()), async () => `the first result: ${await first()}`);
-      const text = await first();
-      await told.page.screenshot({ path: join(PICTURES, "search.png") });
-      quiet(told);
+      const find = async () => (await results()).slice(0, 3).find(({ text }) => wanted.test(text));
+      const { text } = await until(find, async () => (await results()).slice(0, 3).map(({ text }) => text).join("\n"));
       return text.split("\n")[0];
     });
-    await told.close();
   }
+  await check("pages for developers come last", async () => {
+    let count = 0;
+    for (const word of ["stuck", "web", "polygon"]) {
+      await input.fill("");
+      await input.pressSequentially(word);
+      await until(async () => (await results()).some(({ path }) => FOR_DEVELOPERS.test(path)), `${word}: none of them`);
+      const own = (await results()).map(({ path }) => FOR_DEVELOPERS.test(path));
+      assert(own.lastIndexOf(false) < own.indexOf(true), `${word}: ${(await results()).map(({ path }) => path)}`);
+      count += own.length;
+    }
+    await page.screenshot({ path: join(PICTURES, "search.png") });
+    return `${count} results`;
+  });
+  quiet(told);
+  await told.close();
+}
+
+// Plays on the front page, and measures the picture of the game, inside of its frame and of the page.
+async function playFront(kind, options) {
+  await check(`the front page plays across the width at full resolution: ${kind}`, async () => {
+    const told = await open("/?say", options);
+    const { page } = told;
+    await page.locator(".hero button").click();
+    await line(told, /^example hills started$/);
+    const canvas = page.frameLocator(".hero iframe").locator("#canvas");
+    const measure = () => canvas.evaluate((each) => ({ width: each.width, shown: each.clientWidth, sharp: devicePixelRatio }));
+    const hero = await page.locator(".hero").boundingBox();
+    const isSharp = ({ width, shown, sharp }) => width > 0.98 * shown * sharp;
+    await until(async () => isSharp(await measure()), async () => JSON.stringify(await measure()));
+    const box = await canvas.boundingBox();
+    const found = await measure();
+    await page.screenshot({ path: join(PICTURES, `front-${kind}.png`) });
+    const pad = await page.frameLocator(".hero iframe").locator("#pad button").allInnerTexts();
+    await told.close();
+    quiet(told);
+    const text = JSON.stringify([hero, box, found]);
+    assert(box.width > 0.98 * hero.width, text);
+    assert(box.y >= 40 && box.y + box.height <= options.viewport.height + 1, text);
+    assert(pad.join() === "←,→,↓,jump", pad.join());
+    return `${Math.round(box.width)} x ${Math.round(box.height)}, ${found.width} px`;
+  });
 }
 
 async function checkFront() {
   const told = await open("/", DESKTOP);
   const { page } = told;
-  await check("the front page has its buttons above the fold, and an example that starts", async () => {
+  await check("the front page has its buttons above the fold", async () => {
     const box = await page.locator(".hero-links").boundingBox();
     assert(box.y + box.height < DESKTOP.viewport.height, JSON.stringify(box));
     const frame = await page.locator(".hero").boundingBox();
     assert(frame.width > 700, JSON.stringify(frame));
-    await page.locator(".hero button").click();
-    await page.locator(".hero iframe").waitFor();
     quiet(told);
   });
+  await playFront("laptop", LAPTOP);
+  await playFront("desktop", { viewport: { width: 1920, height: 1080 } });
+  await playFront("phone", SHARP_PHONE);
   await check("clips play while they are seen, and stand still where less motion is wished", async () => {
     const isMoving = (page, selector) =>
       page.locator(selector).evaluate((clip) => !clip.paused && clip.currentTime > 0 && clip.videoWidth > 0);
@@ -440,6 +653,24 @@ async function checkErrors() {
     await isRunning(page);
     assert(!(await page.locator("#pg-problem").isVisible()), "the old error is still there");
   });
+  await check("all of a message can be read on a laptop and on a phone", async () => {
+    const sizes = [LAPTOP.viewport, { width: 1366, height: 768 }, DESKTOP.viewport, PHONE.viewport];
+    const problem = page.locator("#pg-problem");
+    await type(page, `${FALLING}\nfor n = 1, 50 do print(n) end\nerror(("a long message. "):rep(12))`);
+    await fails(page);
+    for (const size of sizes) {
+      await page.setViewportSize(size);
+      await problem.scrollIntoViewIfNeeded();
+      const box = await problem.boundingBox();
+      const [seen, all] = await problem.evaluate((each) => [each.clientHeight, each.scrollHeight]);
+      const text = `${size.width} x ${size.height}: ${seen} of ${all} px, ${JSON.stringify(box)}`;
+      await page.screenshot({ path: join(PICTURES, `message-${size.width}x${size.height}.png`) });
+      assert(all > 60 && seen >= all && box.y >= 0 && box.y + box.height <= size.height, text);
+      const output = await page.locator("#pg-output").evaluate((each) => each.clientHeight);
+      assert(output > 60, `${size.width} x ${size.height}: ${output} px of what was printed`);
+    }
+    await page.setViewportSize(DESKTOP.viewport);
+  });
   await check("errors of programs are none of the page", () => quiet(told));
   await told.close();
 }
@@ -606,6 +837,10 @@ await check("the site is there", () => assert(existsSync(join(SITE, "index.html"
 await checkLinks();
 const programs = await checkArticles();
 await checkColors();
+await checkReading();
+await checkMenu();
+await checkFields();
+await checkLost();
 await checkSearch();
 await checkFront();
 await checkExamples();

@@ -1,5 +1,5 @@
 -- Falling box: a box falls, hits the floor and bounces.
--- Change a number and press Run.
+-- Change a number: the program starts again.
 
 local physics = require("physics")
 

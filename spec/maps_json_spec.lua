@@ -1,0 +1,186 @@
+--- Maps of Tiled as JSON, by their paths: their tilesets, templates and worlds. (That a decoded map
+--- is read as its Lua export is in the rows of the other specs of Tiled.)
+
+local physics = require("physics")
+local small = require("spec.support.small")
+local tiled = require("spec.support.tiled")
+
+-- What stands for JSON here, and for a decoder of it, is Lua.
+local function decode(text)
+  local compile = rawget(_G, "loadstring") or rawget(_G, "load")
+  return assert(compile("return " .. text))(), #text
+end
+
+local MAP = [[{ type = "map", width = 8, height = 2, tilewidth = 16, tileheight = 16,
+  tilesets = { { firstgid = 1, source = "sets/other.tsj" }, { firstgid = 5, source = "sets/earth.tsj" } },
+  layers = { { type = "tilelayer", id = 1, name = "land", width = 2, height = 1, data = { 5, 6 } },
+    { type = "objectgroup", id = 2, name = "things", objects = { %s } } } }]]
+local EARTH = [[{ name = "earth", tilewidth = 16, tileheight = 16, tilecount = 4, type = "tileset",
+  tiles = { { id = 1, type = "rock", properties = { { name = "solid", type = "bool", value = true } } } } }]]
+local CRATE = [[{ type = "template", tileset = { firstgid = 1, source = "../sets/earth.tsj" },
+  object = { name = "crate", type = "Crate", gid = 2147483650, width = 32, height = 16, rotation = 0,
+    properties = { { name = "mass", type = "int", value = 2 },
+      { name = "loot", type = "string", value = "gold" } } } }]]
+
+local FILES = {
+  ["maps/cave.tmj"] = MAP:format([[{ id = 7, template = "parts/crate.tj", x = 40, y = 32 },
+    { id = 8, template = "parts/crate.tj", x = 80, y = 32, name = "box", width = 16,
+      properties = { { name = "loot", type = "string", value = "none" } } }]]),
+  ["maps/sets/earth.tsj"] = EARTH,
+  ["maps/sets/other.tsj"] = EARTH,
+  ["maps/parts/crate.tj"] = CRATE,
+  ["maps/all.world"] = [[{ maps = { { fileName = "cave.tmj", x = 100, y = 0 } } }]],
+}
+
+local REAL = rawget(_G, "love")
+
+-- Pretends that LÖVE has these files, until the spec ends.
+local function pretend(files)
+  local asked, filesystem = {}, {}
+  finally(function()
+    rawset(_G, "love", REAL)
+  end)
+  function filesystem.getInfo(path)
+    return files[path] and {}
+  end
+  function filesystem.read(path)
+    asked[#asked + 1] = path
+    return files[path], #files[path]
+  end
+  function filesystem.load(path)
+    return function()
+      return decode(files[path])
+    end
+  end
+  function filesystem.getDirectoryItems()
+    local names = {}
+    for path in pairs(files) do
+      names[#names + 1] = path:match("^maps/([^/]+)$")
+    end
+    return names
+  end
+  rawset(_G, "love", { filesystem = filesystem })
+  return asked
+end
+
+local function load(path, options)
+  local world = physics.newWorld()
+  local level = world:loadTiled(path, small.set({ decode = decode }, options))
+  return level, world
+end
+
+local ROCK = "land 16 0 16 16 static type=rock"
+
+describe("world:loadTiled, JSON", function()
+  it("is read by its path, with its tilesets and templates, each file once", function()
+    local asked = pretend(FILES)
+    assert.equal(
+      ROCK
+        .. "; things 40 16 32 16 loot=gold mass=2 name=crate static type=Crate"
+        .. "; things 80 16 16 16 loot=none mass=2 name=box static type=Crate",
+      tiled.show(load("maps/cave.tmj"))
+    )
+    table.sort(asked)
+    assert.equal(
+      "maps/cave.tmj maps/parts/crate.tj maps/sets/earth.tsj maps/sets/other.tsj",
+      table.concat(asked, " ")
+    )
+  end)
+
+  it("is read without LÖVE, too", function()
+    local path = os.tmpname()
+    local file = assert(io.open(path .. ".tmj", "wb"))
+    file:write((MAP:gsub("%%s", ""):gsub("source = [^}]*", "name = 'a', tilecount = 2, tilewidth = 16")))
+    file:close()
+    assert.equal(1, #load(path .. ".tmj", { solidLayers = { 1 } }).walls)
+    os.remove(path)
+    os.remove(path .. ".tmj")
+  end)
+
+  -- A file, what it holds instead, and what is said.
+  for i, row in ipairs({
+    { "maps/sets/earth.tsj", nil, 'external ("sets/earth.tsj"): cannot read "maps/sets/earth.tsj": there' },
+    { "maps/parts/crate.tj", nil, 'template: cannot read "maps/parts/crate.tj": there is no such file' },
+    { "maps/parts/crate.tj", "5", 'template: "maps/parts/crate.tj" is no table' },
+    {
+      "maps/parts/crate.tj",
+      CRATE:gsub("earth", "water"),
+      "template: its tileset is not one of the map",
+    },
+    {
+      "maps/cave.tmj",
+      MAP:format('{ id = 7, template = "crate.tx", x = 0, y = 0 }'),
+      'template: cannot read "maps/crate.tx": it is XML: tick Embed tilesets and Detach templates,',
+    },
+  }) do
+    it("says what of it cannot be read, " .. i, function()
+      local files = small.set({ ["maps/crate.tx"] = "<object>" }, FILES)
+      files[row[1]] = row[2]
+      pretend(files)
+      local reasons = {}
+      for n, entry in ipairs(load("maps/cave.tmj").unsupported) do
+        reasons[n] = entry.reason
+      end
+      local text = table.concat(reasons, "; ")
+      assert.truthy(text:find(row[3], 1, true), text)
+    end)
+  end
+
+  it("is refused if it cannot be decoded", function()
+    pretend({ ["a.tmj"] = "{" })
+    small.refuses('world:loadTiled(map): cannot read "a.tmj": ', load, "a.tmj")
+    pretend({ ["a.tmj"] = "nil" })
+    small.refuses('what "a.tmj" returns must be a table, got nil', load, "a.tmj")
+  end)
+
+  it("of before Tiled 1.2 has tables of tiles by their ids", function()
+    local set = tiled.tileset()
+    set.tiles = { ["1"] = { objectgroup = { objects = { tiled.object(1, 0, 8, 16, 8) } } } }
+    set.tileproperties = { ["0"] = { solid = true }, ["1"] = { friction = 0.5 } }
+    local map = tiled.map({ set }, { tiled.tiles(1, "land", { "12." }) })
+    local expected = "land 0 0 16 16 static; land 16 8 16 8 friction=0.5 static"
+    assert.equal(expected, tiled.show(tiled.load(map)))
+  end)
+end)
+
+describe("world:loadTiled, a world of the editor", function()
+  it("is read by its path, and has all that a level has", function()
+    pretend(FILES)
+    local level = load("maps/all.world", { x = 1000 })
+    local cave = level.maps[1].level
+    assert.same({ 1100, 0, 128, 32 }, { level.x, level.y, level.width, level.height })
+    assert.same({ cave.objects[2], cave.tileLayers.land }, { level.byId[7], level.tileLayers.land })
+    assert.equal("cave.tmj", level.map.maps[1].fileName)
+    assert.same({ 2, 1, 1 }, { #level.dynamic + #level.walls - 1, level.tiles, level.rectangles })
+    level:removeMap("cave")
+    assert.same({ {}, {}, {} }, { level.byId, level.tileLayers, level.named })
+    assert.same({ 1100, 128 }, { level.x, level.width })
+  end)
+
+  local PATTERN = [[{ patterns = { { regexp = "room-(\\d+)_([0-9]+)\\.tmx$", multiplierX = 320,
+    multiplierY = 160, offsetX = -8 } } }]]
+
+  it("finds the maps of its patterns", function()
+    local room = MAP:format("")
+    local files = small.set(small.set({}, FILES), { ["maps/all.world"] = PATTERN })
+    for _, name in ipairs({ "room-0_1.lua", "room-12_0.lua", "room-1_1.tmx", "room0_1.lua" }) do
+      files["maps/" .. name] = room
+    end
+    pretend(files)
+    local level = load("maps/all.world", { later = true })
+    local places = {}
+    for i, map in ipairs(level.maps) do
+      places[i] = ("%s %d %d"):format(map.name, map.x, map.y)
+    end
+    assert.equal("room-0_1 -8 160; room-12_0 3832 0", table.concat(places, "; "))
+    level:addMap("room-0_1")
+    assert.same({ "land 8 160 16 16 static type=rock" }, { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") })
+  end)
+
+  it("says what of a pattern cannot be had", function()
+    small.refuses("only LÖVE can look for its maps", load, { patterns = { { regexp = "a" } } }, { folder = "maps" })
+    pretend({ ["a.world"] = [[{ patterns = { { regexp = "(a|b)(\\d)" } } }]] })
+    small.refuses("a pattern of the world cannot be read: (a|b)(\\d): list its maps", load, "a.world")
+    small.refuses("map.maps must be a table, got nil", load, { type = "world" }, { folder = "a" })
+  end)
+end)
