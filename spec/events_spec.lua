@@ -396,7 +396,7 @@ describe("onBegin: a spike that", function()
     local world, told = physics.newWorld({ gravity = 0 }), {}
     local man = world:add("men", newBox(0, 0, { vx = 300 }))
     function world.onBegin(_, _, side, speed)
-      told[#told + 1] = side .. " " .. speed
+      told[#told + 1] = ("%s %g"):format(side, speed)
     end
     function world.onEnd(_, _, side)
       told[#told + 1] = side

@@ -21,7 +21,7 @@ compiler.INTERPRETED = {
   -- on x64: it reads what `next` has found through the lower half of a pointer to the stack.
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "keepPlain",
-  ["maps.properties"] = "put saysThatItMoves isEmpty",
+  ["maps.properties"] = "put read saysThatItMoves isEmpty",
   ["memory.compiler"] = "eachExport listNew load",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
