@@ -179,7 +179,6 @@ function friction.run(b, axis, dt)
   if b.pulledCount == 0 and held.count == 0 then
     return false
   end
-  local isGlued = false
   for attempt = 1, ATTEMPTS do
     for c = 1, rubbed.count do -- notes of an earlier attempt may be wrong now
       b.pressed[rubbed.pair[c]] = 0
@@ -187,15 +186,12 @@ function friction.run(b, axis, dt)
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
     settle.hold(b, other, dt)
-    isGlued = bonds.glue(b, held, dt)
+    local isGlued = bonds.glue(b, held, dt)
     settle.finish(b, other, dt, isGlued, false)
     local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end
-  end
-  if isGlued then
-    settle.hold(b, other, dt) -- friction alone holds nothing against a hit
   end
   return true
 end
