@@ -47,7 +47,7 @@ MENU = [
         "api.md", "api/fields.md", "api/settings.md", "api/world.md", "api/queries.md", "api/maps.md", "api/types.md",
     ]),
     ("More", [
-        "compare.md", "faq.md", "coming-from.md", "glossary.md", "performance.md", "reliability.md", "size.md",
+        "compare.md", "faq.md", "coming-from.md", "where-it-runs.md", "performance.md", "reliability.md", "size.md",
         ("For developers", ["architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md"]),
     ]),
 ]
@@ -63,15 +63,18 @@ WORDS = {
     "guide/motion.md#zones": ["Swim", "Swimming", "Buoyancy", "Underwater"],
     "guide/objects.md#adding-and-removing": ["Object pooling", "Object pool"],
     "guide/sprites.md": ["Particles", "Particle system"],
-    "guide/steps.md": ["Delta time", "deltaTime", "Slow motion", "Bullet time"],
-    "index.md#install": ["License", "Licence", "Mobile", "Android", "iOS", "Web", "Browser", "HTML5"],
+    "guide/steps.md": ["Delta time", "deltaTime"],
+    "index.md#install": ["License", "Licence"],
     "platformers.md#slopes": ["Steep slope", "Max slope angle", "floor_max_angle"],
-    "platformers.md#step-5-coyote-time": ["Jump buffer", "Buffered jump"],
-    "recipes.md#camera": ["Scaling", "Scale", "Resolution", "Fullscreen", "Pixel perfect", "Screen shake"],
+    "platformers.md#step-5-coyote-time-and-jump-buffer": ["Buffered jump"],
+    "recipes.md#camera": ["Screen shake"],
     "recipes.md#knock-back": ["Knockback", "Hitstun", "Stun"],
+    "recipes.md#pause-and-slow-motion": ["Bullet time", "Time scale"],
     "recipes.md#portals": ["Wrap", "Screen wrap", "Wrap around"],
+    "recipes.md#scale-and-resolution": ["Scaling", "Fullscreen", "Pixel perfect"],
     "recipes.md#sokoban": ["Grid movement", "Tile based movement", "Turn based"],
     "recipes.md#sword": ["Attack", "Melee"],
+    "where-it-runs.md": ["Mobile", "Android", "iOS", "Web", "Browser", "HTML5", "Console", "Steam Deck"],
 }
 
 EXAMPLE = """\
@@ -130,7 +133,7 @@ DESCRIPTIONS = {
     "guide/index.md": "The ten ideas of physics.lua, and where each is explained.",
     "performance.md": "What a step costs, beside love.physics and bump.lua, and how to measure your game.",
     "size.md": "How large the library is, how long it loads and what an object takes, beside bump.lua.",
-    "glossary.md": "The words of this manual, each in a line.",
+    "where-it-runs.md": "Phones, browsers, Windows, macOS, Linux, Steam Deck and consoles: what was tried, what is known.",
 }
 
 # How early the search shows a page; 1 is usual. Pages for developers come last.
