@@ -69,7 +69,7 @@ WORDS = {
     "platformers.md#step-5-coyote-time-and-jump-buffer": ["Buffered jump"],
     "recipes.md#camera": ["Screen shake"],
     "recipes.md#knock-back": ["Knockback", "Hitstun", "Stun"],
-    "recipes.md#pause-and-slow-motion": ["Bullet time", "Time scale"],
+    "recipes.md#pause-and-slow-motion": ["Slow motion", "Bullet time", "Time scale"],
     "recipes.md#portals": ["Wrap", "Screen wrap", "Wrap around"],
     "recipes.md#scale-and-resolution": ["Scaling", "Fullscreen", "Pixel perfect"],
     "recipes.md#sokoban": ["Grid movement", "Tile based movement", "Turn based"],
