@@ -570,19 +570,37 @@ function default.nearest(x, y, radius, filter) end
 ---@return physics.Object? other the obstacle, the first in the order of the world
 function default.fits(x, y, width, height, filter) end
 
---- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
---- many.
+--- Returns the nearest place, at most `reach` px away, where a box would be free, as `fits` says:
+--- to spawn, to stand up. Of two as near, one straight above or below comes first. Beside slopes
+--- and round objects there may be a nearer one.
 ---
---- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
+--- Errors: a number is not finite; a size is <= 0; the reach is < 0; the filter cannot be used, or
+--- is an object that is not in the world.
+---@param x number px, left edge where it should be
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param reach number px, >= 0
+---@param filter physics.Filter|physics.NewObject|nil as that of `fits`
+---@return number? x px, left edge; nil: there is none
+---@return number? y px, top edge
+function default.freePlace(x, y, width, height, reach, filter) end
+
+--- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
+--- many. With `fractions` it says where: `objects[n]` is hit at `x1 + (x2 - x1) * fractions[n]`.
+---
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` or `fractions` is
+--- not a table.
 ---@param x1 number px
 ---@param y1 number px
 ---@param x2 number px
 ---@param y2 number px
 ---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
+---@param fractions number[]? list to fill with the places, as fractions of the line, 0..1
 ---@return physics.Object[] objects nearest first, ties in the order of the world
 ---@return integer count
-function default.querySegment(x1, y1, x2, y2, filter, out) end
+function default.querySegment(x1, y1, x2, y2, filter, out, fractions) end
 
 --- Returns the first object on the line from (x1, y1) to (x2, y2), and where the line hits it.
 ---
@@ -631,6 +649,41 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
+
+--- Returns the obstacle of a free box on its way by (dx, dy), as `sweep` does for an object.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param dx number px
+---@param dy number px
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? other nil: the way is free
+---@return number x px, left edge of the box then
+---@return number y px, top edge
+---@return number nx normal, of length 1
+---@return number ny likewise
+---@return number fraction of the way, 0..1
+function default.cast(x, y, width, height, dx, dy, filter) end
+
+--- Returns the obstacle of a free circle on its way by (dx, dy).
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param dx number px
+---@param dy number px
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? other nil: the way is free
+---@return number x px, the centre then
+---@return number y px
+---@return number nx normal, of length 1
+---@return number ny likewise
+---@return number fraction of the way, 0..1
+function default.castCircle(x, y, radius, dx, dy, filter) end
 
 --- Returns all objects that overlap an object, and how many. Removing objects
 --- while you loop over the list is safe.

@@ -162,8 +162,10 @@ print(count) --> 2
 ]]
 
 examples["world:querySegment"] = [[
-local list, count = world:querySegment(50, 0, 50, 500)
+local fractions = {}
+local list, count = world:querySegment(50, 0, 50, 500, nil, nil, fractions)
 print(count, list[1] == player, list[2] == floor) --> 2 true true
+print(fractions[1] * 500, fractions[2] * 500) --> 368 400
 ]]
 
 examples["world:raycast"] = [[
@@ -176,6 +178,21 @@ examples["world:sweep"] = [[
 world:add("tiles", { x = 0, y = 340, width = 100, height = 16, static = true })
 local ceiling, x, y = world:sweep(player, 0, -20)
 print(ceiling ~= nil, y) --> true 356
+]]
+
+examples["world:cast"] = [[
+world:add("tiles", { x = 300, y = 0, width = 16, height = 100, static = true })
+local tile, x, y, nx = world:cast(0, 20, 32, 32, 500, 0, "tiles")
+print(x, y, nx) --> 268 20 -1
+]]
+
+examples["world:castCircle"] = [[
+local ground, x, y = world:castCircle(60, 300, 10, 0, 200, "tiles")
+print(ground == floor, x, y) --> true 60 390
+]]
+
+examples["world:freePlace"] = [[
+print(world:freePlace(35, 380, 24, 24, 100)) --> 16 376
 ]]
 
 examples["world:fits"] = [[

@@ -370,7 +370,7 @@ local WAYS = {
 }
 
 describe("onBegin: a spike that", function()
-  for how, act in pairs(WAYS) do
+  for how, come in pairs(WAYS) do
     it(how .. " tells that it touches, once, at no speed of its own", function()
       for n = 0, 11 do
         local world, told = physics.newWorld({ gravity = n % 2 * 800 }), {}
@@ -385,14 +385,14 @@ describe("onBegin: a spike that", function()
           local isRight = world:groupOf(other) == "spikes" and man.touching[side] == other
           told[#told + 1] = isRight and speed <= (man.radius and 800 / 60 or 0)
         end
-        act(world, spike, man)
+        come(world, spike, man)
         small.run(world, 10)
         assert.same({ n, { true } }, { n, told })
       end
     end)
   end
 
-  it("is put into a man who flies on tells begin and end", function()
+  it("is put into a man that flies on tells begin and end", function()
     local world, told = physics.newWorld({ gravity = 0 }), {}
     local man = world:add("men", newBox(0, 0, { vx = 300 }))
     function world.onBegin(_, _, side, speed)

@@ -90,7 +90,9 @@ describe("world:loadTiled, JSON", function()
   it("is read without LÖVE, too", function()
     local path = os.tmpname()
     local file = assert(io.open(path .. ".tmj", "wb"))
-    file:write((MAP:gsub("%%s", ""):gsub("source = [^}]*", "name = 'a', tilecount = 2, tilewidth = 16")))
+    file:write(
+      (MAP:gsub("%%s", ""):gsub("source = [^}]*", "name = 'a', tilecount = 2, tilewidth = 16"))
+    )
     file:close()
     assert.equal(1, #load(path .. ".tmj", { solidLayers = { 1 } }).walls)
     os.remove(path)
@@ -99,8 +101,16 @@ describe("world:loadTiled, JSON", function()
 
   -- A file, what it holds instead, and what is said.
   for i, row in ipairs({
-    { "maps/sets/earth.tsj", nil, 'external ("sets/earth.tsj"): cannot read "maps/sets/earth.tsj": there' },
-    { "maps/parts/crate.tj", nil, 'template: cannot read "maps/parts/crate.tj": there is no such file' },
+    {
+      "maps/sets/earth.tsj",
+      nil,
+      'external ("sets/earth.tsj"): cannot read "maps/sets/earth.tsj": there',
+    },
+    {
+      "maps/parts/crate.tj",
+      nil,
+      'template: cannot read "maps/parts/crate.tj": there is no such file',
+    },
     { "maps/parts/crate.tj", "5", 'template: "maps/parts/crate.tj" is no table' },
     {
       "maps/parts/crate.tj",
@@ -174,13 +184,25 @@ describe("world:loadTiled, a world of the editor", function()
     end
     assert.equal("room-0_1 -8 160; room-12_0 3832 0", table.concat(places, "; "))
     level:addMap("room-0_1")
-    assert.same({ "land 8 160 16 16 static type=rock" }, { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") })
+    assert.same(
+      { "land 8 160 16 16 static type=rock" },
+      { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") }
+    )
   end)
 
   it("says what of a pattern cannot be had", function()
-    small.refuses("only LÖVE can look for its maps", load, { patterns = { { regexp = "a" } } }, { folder = "maps" })
+    small.refuses(
+      "only LÖVE can look for its maps",
+      load,
+      { patterns = { { regexp = "a" } } },
+      { folder = "maps" }
+    )
     pretend({ ["a.world"] = [[{ patterns = { { regexp = "(a|b)(\\d)" } } }]] })
-    small.refuses("a pattern of the world cannot be read: (a|b)(\\d): list its maps", load, "a.world")
+    small.refuses(
+      "a pattern of the world cannot be read: (a|b)(\\d): list its maps",
+      load,
+      "a.world"
+    )
     small.refuses("map.maps must be a table, got nil", load, { type = "world" }, { folder = "a" })
   end)
 end)

@@ -33,8 +33,7 @@ describe("world:loadLDtk", function()
   local FIELDS = { friction = 0.9, material = "stone" }
   local LADDER = { sensor = true, group = "ladders", merge = true }
   local WHOLE, FLOOR = "Collisions 0 32 80 16 static", "Collisions 0 32 48 16 static"
-  local LADDERS, ONE_WAY =
-    "Collisions 0 0 16 32 static", "Collisions 48 32 32 16 oneWay=top static"
+  local LADDERS, ONE_WAY = "Collisions 0 0 16 32 static", "Collisions 48 32 32 16 oneWay=top static"
   for i, row in ipairs({
     { VALUES, { dirt = true, [3] = true }, WHOLE, "option solid" },
     { VALUES, { dirt = true, [3] = false }, FLOOR, "option solid" },

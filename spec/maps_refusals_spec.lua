@@ -66,7 +66,10 @@ describe("world:loadTiled refuses", function()
     { 5, "map must be a Tiled map or the path of one, got 5" },
     { { tilecount = 5 }, "this is a tileset, not a map: load the map that uses it" },
     { "a.tmx", '"a.tmx" must be exported as Lua: File > Export As, *.lua' },
-    { "a.world", '"a.world" must be decoded, as JSON: give the table, and the option folder' .. OR },
+    {
+      "a.world",
+      '"a.world" must be decoded, as JSON: give the table, and the option folder' .. OR,
+    },
     { "a.tmj", '"a.tmj" must be exported as Lua: File > Export As, *.lua' .. OR },
     {
       ("assets/"):rep(6) .. "level-7.json",

@@ -101,18 +101,24 @@ describe("area: a zone", function()
     scene.thing("tiles", { static = true, x = 160, y = 300, width = 400, height = 20 })(),
     scene.thing("tiles", { static = true, x = 140, y = 0, width = 20, height = 300 })(),
   }
-  play.row("area.airFriction: what lands in water, or swims to a wall, has speed 0", RATES, function(v)
-    COAST[5] = body({ x = 300, y = 100 + v.off, vy = 300 })
-    COAST[6] = body({ name = "other", x = 190 + v.off, y = 100, vx = -300 })
-    return COAST
-  end, {
+  play.row(
+    "area.airFriction: what lands in water, or swims to a wall, has speed 0",
+    RATES,
+    function(v)
+      COAST[5] = body({ x = 300, y = 100 + v.off, vy = 300 })
+      COAST[6] = body({ name = "other", x = 190 + v.off, y = 100, vx = -300 })
+      return COAST
+    end,
     {
-      1.5,
-      "body.vy * (body.raw.touching.bottom and 1 or 0) == 0",
-      "other.vx * (other.raw.touching.left and 1 or 0) == 0",
+      {
+        1.5,
+        "body.vy * (body.raw.touching.bottom and 1 or 0) == 0",
+        "other.vx * (other.raw.touching.left and 1 or 0) == 0",
+      },
+      "body touches bottom; other touches left",
     },
-    "body touches bottom; other touches left",
-  }, { "off", { 0 }, { 0.5 }, { 3.1 }, { 4.7 } })
+    { "off", { 0 }, { 0.5 }, { 3.1 }, { 4.7 } }
+  )
 
   -- 800 (1 - share) - 800 share = 0
   local WATER = { zone({ gravity = -800, airFriction = 4 }), body() }

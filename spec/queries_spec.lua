@@ -322,3 +322,148 @@ describe("world:fits", function()
     assert.is_true(world:fits(4, 4, 8, 8))
   end)
 end)
+
+describe("querySegment: fractions", function()
+  it("are what raycast returns for each object, in the same order", function()
+    local world, fractions = four(), { { x = 1 }, 2, 3, 4, 5 }
+    for _, wanted in ipairs({ false, "c", isEven }) do
+      local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
+      assert.equal(count, #fractions)
+      for n = 1, count do
+        local fraction = select(
+          6,
+          world:raycast(-10, 12, 90, 17, function(object)
+            return object == list[n]
+          end)
+        )
+        assert.near(fraction, fractions[n], 1e-15)
+      end
+    end
+    small.refuses("fractions must be a table, got 3", function()
+      world:querySegment(0, 0, 9, 9, nil, nil, 3)
+    end)
+  end)
+end)
+
+describe("cast and castCircle", function()
+  it("meet what an object of that shape would meet that no mask names", function()
+    local random = require("spec.support.random").new(3)
+    for seed = 1, 60 do
+      local world = still()
+      for _ = 1, 12 do
+        local x, y = random:between(0, 200), random:between(0, 200)
+        local other = world:add("walls", tile(x, y, random:between(8, 40), random:between(8, 40)))
+        other.slope = seed % 3 == 0 and "left" or nil
+        other.oneWay = seed % 3 == 1 and "top" or nil
+        other.sensor = random:between(0, 1) < 0.1
+        world:refresh(other)
+      end
+      local size, dx, dy =
+        random:between(4, 20), random:between(-300, 300), random:between(-300, 300)
+      local me = world:add("me", sized(100, 100, size, size))
+      me.radius = seed % 2 == 0 and size / 2 or nil
+      local expected, found = { world:sweep(me, dx, dy) }
+      if me.radius then
+        local r = me.radius
+        found = { world:castCircle(100 + r, 100 + r, r, dx, dy, "walls") }
+        found[2], found[3] = found[2] and found[2] - r, found[3] and found[3] - r
+      else
+        found = { world:cast(100, 100, size, size, dx, dy, { "walls" }) }
+      end
+      assert.equal(expected[1], found[1])
+      for n = 2, #expected do
+        assert.near(expected[n], found[n], 1e-9)
+      end
+    end
+  end)
+end)
+
+describe("freePlace", function()
+  --- The nearest free place on a grid of 1 px.
+  local function search(world, x, y, w, h, reach)
+    local least
+    for ox = -reach, reach do
+      for oy = -reach, reach do
+        local far = math.sqrt(ox * ox + oy * oy)
+        if far <= (least or reach) and world:fits(x + ox, y + oy, w, h) then
+          least = far
+        end
+      end
+    end
+    return least
+  end
+
+  it("is free, and the nearest one: random rooms of whole numbers", function()
+    local random = require("spec.support.random").new(5)
+    local function whole(low, high)
+      return math.floor(random:between(low, high))
+    end
+    local found = 0
+    for _ = 1, 40 do
+      local world = still()
+      for _ = 1, whole(3, 16) do
+        world:add("walls", tile(whole(0, 60), whole(0, 60), whole(4, 30), whole(4, 30)))
+      end
+      local x, y, w, h, reach = whole(10, 50), whole(10, 50), whole(4, 16), whole(4, 16), 24
+      local atX, atY = world:freePlace(x, y, w, h, reach)
+      local least = search(world, x, y, w, h, reach)
+      assert.equal(least ~= nil, atX ~= nil)
+      if atX then
+        found = found + 1
+        assert.near(least, math.sqrt((atX - x) ^ 2 + (atY - y) ^ 2), 1e-9)
+        assert.is_true(world:fits(atX, atY, w, h))
+      end
+    end
+    assert.is_true(found > 20)
+  end)
+
+  local CLOUD, WATER = tile(0, 90, 99, 50, { oneWay = "top" }), tile(0, 0, 9, 9, { sensor = true })
+  for _, row in ipairs({
+    -- what, what is there, where it should be, where it may be
+    { "where it is", { tile(0, 100, 99, 20), CLOUD, WATER }, { 0, 90 }, { 0, 90 } },
+    { "on the floor", { tile(0, 100, 99, 20) }, { 40, 93 }, { 40, 90 } },
+    { "above, of two as near", { tile(40, 40, 10, 10) }, { 40, 40 }, { 40, 30 } },
+    {
+      "on the left, of two as near",
+      { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) },
+    },
+    { "in a corner", { tile(0, 50, 99, 9), tile(50, 0, 9, 99) }, { 44, 45 }, { 40, 40 } },
+    { "on a slope", { tile(0, 0, 100, 100, { slope = "left" }) }, { 50, 45 }, { 52.5, 42.5 } },
+    { "beside a ball", { tile(0, 0, 40, 40, { radius = 20 }) }, { 15, -5 }, { 15, -10 } },
+    { "too far away", { tile(0, 0, 999, 999) }, { 500, 500 } },
+  }) do
+    it("is " .. row[1], function()
+      local world = still()
+      for _, object in ipairs(row[2]) do
+        world:add("walls", small.set({}, object))
+      end
+      local at = row[3] or { 35, 40 }
+      local x, y = world:freePlace(at[1], at[2], 10, 10, 100)
+      if row[4] then
+        assert.is_true(world:fits(x, y, 10, 10))
+        assert.near(row[4][1], x, 1e-6)
+        assert.near(row[4][2], y, 1e-6)
+      elseif row[3] then
+        assert.is_nil(x)
+      else
+        assert.same({ 30, 40 }, { x, y })
+      end
+    end)
+  end
+
+  it("takes a filter, or the object that would be there, which is not in its own way", function()
+    local world = still()
+    world:add("crates", box(0, 0))
+    world:add("others", box(4, 0, { mask = { men = false } }))
+    local asker = world:add("men", box(2, 0))
+    assert.same({ 2, -16 }, { world:freePlace(2, 0, 16, 16, 99) })
+    assert.same({ 2, 0 }, { world:freePlace(2, 0, 16, 16, 99, "lamps") })
+    assert.same({ 16, 1 }, { world:freePlace(2, 1, 16, 16, 99, asker) })
+    assert.same({ 2, 1 }, {
+      world:freePlace(2, 1, 16, 16, 99, function()
+        return false
+      end),
+    })
+    assert.is_nil((world:freePlace(2, 0, 16, 16, 15)))
+  end)
+end)

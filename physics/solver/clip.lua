@@ -21,12 +21,14 @@ local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local links = require(root .. ".memory.links")
 local filter = require(root .. ".broadphase.filter")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local planes = require(root .. ".space.planes")
 local path = require(root .. ".motion.path")
 local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
 local shapes = require(root .. ".space.shapes")
 local touch = require(root .. ".narrowphase.touch")
+local walk = require(root .. ".solver.walk")
 
 local clip = {}
 
@@ -44,6 +46,9 @@ local nx, ny, least, wall, side = planes.nx, planes.ny, planes.least, planes.wal
 local NEAR = 0.001
 -- px/s: slower things stand still.
 local STILL = 1e-6
+
+-- Only bodies of a lower kind are in the way.
+local limit = DYNAMIC
 
 -- How fast slot `wall` of half-plane n goes along the normal of half-plane m, px/s.
 local function speedAlong(b, n, m)
@@ -95,7 +100,8 @@ end
 -- Adds the half-planes of what box i touches, but for edges of slopes.
 local function addRoom(b, i)
   for _, j, p in neighbours(b, i) do
-    if b.touches[p] ~= APART and b.contactLow[p] > 0 and not touch.haveFaces(b, i, j) then
+    local isContact = b.touches[p] ~= APART and b.contactLow[p] > 0 and limit == DYNAMIC
+    if isContact and not touch.haveFaces(b, i, j) then
       local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i
       if isLow and b.roomHigh[kh] < huge then
@@ -119,7 +125,7 @@ end
 
 -- Whether slot j, of pair p, stops box i, and does not give way.
 local function isWall(b, p, i, j)
-  local isFlat = b.kind[j] ~= DYNAMIC and not isRound[b.shape[j]]
+  local isFlat = b.kind[j] < limit and not isRound[b.shape[j]]
   return isFlat and not b.passing[p] and filter.blocks(b, i, j)
 end
 
@@ -133,6 +139,13 @@ local function wallAt(b, i, x, y, t)
     end
   end
   return first
+end
+
+-- Returns the wall that box i would end in at (x, y), and looks up what is near that place.
+local function lookUp(b, i, x, y)
+  b.to[2 * i], b.to[2 * i + 1], b.stack[1] = x, y, i
+  pairFinder.run(b, b.stack, 1)
+  return wallAt(b, i, x, y, 1)
 end
 
 -- px that slot i goes in the step.
@@ -166,14 +179,17 @@ local function findPlace(b, i)
   for n = 1, planes.count do
     most = most + wayOf(b, wall[n], b.from)
   end
+  local wantX, wantY = b.to[k], b.to[k + 1]
   for _ = 1, MOST do
-    local x, y, one, other = planes.nearest(b.to[k], b.to[k + 1], most)
-    local j = x and wallAt(b, i, x, y, 1)
+    local x, y, one, other = planes.nearest(wantX, wantY, most)
+    local j = x and lookUp(b, i, x, y)
     if not j then
       local isFree = x and not (other > 0 and areClosing(b, one, other))
       planes.keepOnly(one, other)
+      b.to[k], b.to[k + 1] = wantX, wantY
       return isFree and x, y
     elseif not addFace(b, i, j, start[k], start[k + 1], t) then
+      b.to[k], b.to[k + 1] = wantX, wantY
       return nil
     end
     most = most + wayOf(b, j, b.from)
@@ -251,6 +267,11 @@ local function clipAll(b)
       if x then
         put(b, i, x, y)
         hasClipped = true
+      else -- machines press it: it stays out of static bodies
+        limit = constants.KINEMATIC
+        x, y = findPlace(b, i)
+        limit = DYNAMIC
+        b.to[2 * i], b.to[2 * i + 1] = x or b.to[2 * i], y or b.to[2 * i + 1]
       end
     end
   end
@@ -266,6 +287,7 @@ function clip.run(b, dt)
     end
     settle.axis(b, 0, dt, true)
     settle.axis(b, 1, dt, true)
+    walk.run(b, dt, false)
     rounds.findChanged(b)
   end
 end

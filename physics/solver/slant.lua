@@ -45,7 +45,7 @@ local slant = {}
 
 local APART, CONTACT = contacts.APART, contacts.CONTACT
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local huge, max, min = math.huge, math.max, math.min
+local huge, max, min, sqrt = math.huge, math.max, math.min, math.sqrt
 local isRound = shapes.isRound
 -- Passes over the pairs, and those after them in which the lower one does not give way.
 local PASSES, SHOCKS = 16, 6
@@ -58,6 +58,8 @@ local EAGER = 1.2
 local SLOP, NEAR, SLOW, LOST = 0.002, 0.1, 0.25, 0.25
 -- px: as near as that, pairs are known. (Otherwise which are depends on the past.)
 local REACH = 1.5
+-- px by which a body may be in something immovable where the step begins.
+local ROOM = 0.1
 -- Share of an overlap that is taken away in a step.
 local PACE = 0.5
 -- Share of its size by which a body is pushed, more than it moves.
@@ -555,24 +557,37 @@ local function listWalls(b)
   end
 end
 
+-- Returns how far body k is from where it began, or how fast it is.
+local function lengthOf(column, start, k, isOfSpeeds)
+  local x, y = column[k], column[k + 1]
+  if not isOfSpeeds then
+    x, y = x - start[k], y - start[k + 1]
+  end
+  return sqrt(x * x + y * y)
+end
+
 -- Puts what is pressed into immovable bodies at the nearest place in front of all of them, or gives
 -- it the nearest velocity that goes into none. (Passes alone would come there slowly in a wedge.)
+-- That is no further away than where the body began, or a standstill; it takes the ways of the
+-- others to that. (Of two that come from opposite sides, the corner may be anywhere.)
 local function leaveWalls(b, column, isOfSpeeds)
-  local s = b.slants
+  local s, start = b.slants, b.origin
   for n = 1, s.walled do
     local i = s.walledList[n]
-    local k, c = 2 * i, s.firstWall[i]
+    local k, c, ways = 2 * i, s.firstWall[i], isOfSpeeds and 0.0 or ROOM
     planes.count = 0
     while c ~= 0 do
       local sign, j = s.one[c] == i and 1 or -1, s.one[c] == i and s.other[c] or s.one[c]
-      local nx, ny = sign * s.nx[c], sign * s.ny[c]
+      local nx, ny, m = sign * s.nx[c], sign * s.ny[c], 2 * j
       if not isOfSpeeds or s.isFlush[c] then
-        local place = nx * column[2 * j] + ny * column[2 * j + 1]
+        local place = nx * column[m] + ny * column[m + 1]
         planes.add(b.rank, nx, ny, place + (isOfSpeeds and 0.0 or s.least[c]), j, 0)
+        ways = ways + lengthOf(column, start, m, isOfSpeeds)
       end
       c = s.nextWall[c]
     end
-    local x, y = planes.nearest(column[k], column[k + 1], huge)
+    ways = ways + lengthOf(column, start, k, isOfSpeeds)
+    local x, y = planes.nearest(column[k], column[k + 1], ways)
     if x then
       column[k], column[k + 1] = x, y
     end

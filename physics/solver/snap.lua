@@ -50,7 +50,7 @@ end
 -- from edge to edge it drops by at most `most` px.
 local function reach(b, i, axis, turn, x, x1, height, most)
   local pieces = b.pieceCount
-  local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, true, most)
+  local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, most)
   b.pieceCount = pieces
   return last + most
 end

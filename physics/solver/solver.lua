@@ -160,6 +160,7 @@ end
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
+  b.blockedCount = 0
   begin(b, dt)
   flow.begin(b)
   pairFinder.listLive(b)

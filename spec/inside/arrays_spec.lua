@@ -116,8 +116,8 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
   end)
 end)
 
--- A game with all that keeps the slots of static objects: what is added, moved, a zone, a state, and
--- a box that is put into the middle of a block. Returns it as text.
+-- A game with all that keeps the slots of static objects: what is added, moved, a zone, a state,
+-- and a box that is put into the middle of a block. Returns it as text.
 local function tell(library)
   local world, log = library.newWorld({ gravity = 800 }), {}
   local function wall(name, x, y, w, h, fields)

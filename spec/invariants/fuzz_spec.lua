@@ -70,7 +70,7 @@ describe("the checks notice", function()
     { "a contact that begins twice", "pairing", "onBegin", 1, 2 },
     { "an end without a beginning", "pairing", "onEnd", 2, 3 },
     { "a beginning without an end", "pairing", "onBegin", 2, 3 },
-    { "a crush between one object and nobody", "crush", "onCrush", 2, 3 },
+    { "a crush by one object only", "crush", "onCrush", 2, 3 },
   }) do
     it(row[1], function()
       local one = player.new(SCENE)

@@ -327,7 +327,7 @@ it("onCrush: a ball is told once, also if the press stops or turns while it hold
   end
 end)
 
-it("onCrush: who is put elsewhere leaves the same lift by the shortest way, at once", function()
+it("onCrush: what is put elsewhere leaves the same lift by the shortest way, at once", function()
   local world, isCrushed = physics.newWorld({ gravity = 900 }), false
   world:add("tiles", small.tile(736, 100, 48, 200))
   local lift = small.put(640, 208, 48, 12, { kinematic = true, vx = 60 })

@@ -1,8 +1,10 @@
 --- Balls: circles that are no sensors.
 
 local effort = require("spec.support.effort")
+local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local small = require("spec.support.small")
+local watcher = require("spec.fuzz.watcher")
 
 local run, tile = small.play, small.tile
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
@@ -331,4 +333,93 @@ describe("radius and kinematic: balls in a heap", function()
       end)
     end
   end
+end)
+
+-- A cue ball at 1500 px/s, and a triangle of so many balls that touch each other.
+describe("radius and restitution: a flush rack", function()
+  for _, count in ipairs({ 3, 6, 10 }) do
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      it(("keeps the energy of the cue ball: %d balls at %d Hz"):format(count, rate), function()
+        local world, list = physics.newWorld({ gravity = 0 }), {}
+        world:add("balls", ball(100, 300, 14, { restitution = 1, vx = 1500 }))
+        local column = 0
+        while #list < count do
+          for n = 0, column do
+            local x, y = 300 + column * 14 * math.sqrt(3), 300 + (2 * n - column) * 14
+            list[#list + 1] = world:add("balls", ball(x, y, 14, { restitution = 1 }))
+          end
+          column = column + 1
+        end
+        run(world, 1, rate)
+        local energy = 0
+        for _, one in ipairs(world.objects.balls) do
+          energy = energy + (one.vx * one.vx + one.vy * one.vy) / (1500 * 1500)
+        end
+        near(1, energy, 1e-9)
+      end)
+    end
+  end
+end)
+
+describe("radius and slope: a marble", function()
+  -- It runs down 1:2 at 400 px/s; another one falls onto it, which must not stop it.
+  it("that is struck on a ramp keeps its momentum along it, whatever the masses", function()
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      for _, mass in ipairs({ 0.5, 1, 3 }) do
+        for off = 0, 5 do
+          local world = physics.newWorld({ gravity = 0 })
+          world:add("ramps", tile(0, 200, 800, 400, { slope = "left" }))
+          local far, x = 10 * math.sqrt(1.25), 240 + 7 * off
+          local one = world:add("balls", ball(200, 300 - far, 10, { vx = 358, vy = 179 }))
+          local fields = { vx = 150, vy = 350, mass = mass }
+          local other = world:add("balls", ball(x, 170 + x / 2 - far, 10, fields))
+          run(world, 0.5, rate)
+          local along = 2 * (one.vx + mass * other.vx) + one.vy + mass * other.vy
+          near(2 * (358 + mass * 150) + 179 + mass * 350, along, 0.01 * along)
+          assert.is_true(math.max(math.abs(one.vx), math.abs(other.vx)) > 50)
+        end
+      end
+    end
+  end)
+
+  it("rolls down a ramp that rises or sinks as down one that stands", function()
+    for _, speed in ipairs({ 0, -32, 32 }) do
+      local world, air = physics.newWorld({ gravity = 900 }), 0
+      local fields = { slope = "left", kinematic = true, vy = speed }
+      world:add("ramps", small.put(-100, 200, 600, 300, fields))
+      local one = world:add("balls", ball(48, 158, 8, { vx = 30, vy = speed, restitution = 0.3 }))
+      small.run(world, 90, 60, function(n)
+        air = air + ((n <= 54 or one.touching.bottom) and 0 or 1)
+      end)
+      near(438.25, one.x, 0.02)
+      assert.equal(0, air)
+    end
+  end)
+end)
+
+describe("radius, strength and mass: a round player", function()
+  it("has nobody in it that walks along a wall through a crowd of circles", function()
+    for _, rate in ipairs({ 30, 60 }) do
+      local random, world, list = newRandom(4), physics.newWorld({ gravity = 0 }), {}
+      world:add("walls", tile(800, 0, 24, 900))
+      local player = world:add("players", ball(787, 773, 13, { strength = 1, mass = 10 }))
+      for n = 1, 24 do
+        local radius = random:pick({ 7, 11, 17 })
+        local x, y = 800 - radius - random:between(0, 90), 700 - 16 * n + radius
+        list[n] = world:add("enemies", ball(x, y, radius, { mass = radius * radius / 100 }))
+      end
+      for step = 1, 4 * rate do
+        player.vx, player.vy = 0, step > rate and step < 2.5 * rate and -150 or 0
+        for _, one in ipairs(list) do
+          local x, y = player.x + 13 - one.x - one.radius, player.y + 13 - one.y - one.radius
+          local share = 80 / math.max(1, math.sqrt(x * x + y * y))
+          one.vx, one.vy = x * share, y * share
+        end
+        world:update(1 / rate)
+        for _, one in ipairs(list) do
+          assert.is_true(watcher.depth(player, one) < 0.3)
+        end
+      end
+    end
+  end)
 end)

@@ -304,7 +304,8 @@ function tiled.json(map)
       listProperties(tile)
       writeObjects(tile.objectgroup or {})
       if tile.image then
-        tile.imagewidth, tile.imageheight, tile.width, tile.height = tile.width, tile.height, nil, nil
+        tile.imagewidth, tile.imageheight, tile.width, tile.height =
+          tile.width, tile.height, nil, nil
       end
     end
   end

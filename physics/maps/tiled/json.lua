@@ -67,8 +67,7 @@ function json.whole(reading, object)
   end
   local base, folder = given.object, name:match("^.*/") or ""
   local made = properties.join(base, object)
-  made.properties =
-    properties.join(json.properties(base) or {}, json.properties(object) or {})
+  made.properties = properties.join(json.properties(base) or {}, json.properties(object) or {})
   if base.gid and not object.gid then
     made.gid = gidOf(reading, base.gid, given.tileset, folder)
     if not made.gid then
