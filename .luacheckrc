@@ -37,6 +37,7 @@ files["web/playground/boot.lua"] = {
 files["scripts"] = { std = "luajit" }
 -- Lines of a page of Markdown.
 files["scripts/manual_examples.lua"] = { max_line_length = false }
+files["scripts/online"] = { std = "luajit+love", globals = { "love" } }
 files["scripts/pictures"] = { std = "luajit+love", globals = { "love" } }
 -- They play an example without LÖVE and have to pretend a little.
 files["scripts/find_*keys.lua"] = { std = "luajit", globals = { "love" } }

@@ -79,6 +79,10 @@ test-wine: ## runs most specs on Lua built for Windows, in Wine; LUA="5.1 5.4", 
 test-love: setup ## plays the determinism scene in LÖVE 11.5; TEST="--all" for the examples, too
 	@bash scripts/love.sh $(TEST)
 
+.PHONY: test-online
+test-online: setup ## plays the example Online in pairs of processes over 127.0.0.1: SECONDS=6 each
+	@bash scripts/online.sh $(or $(SECONDS),6)
+
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh
 
@@ -87,11 +91,19 @@ fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1, BOUNDS=al
 	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going \
 	  $(if $(BOUNDS),--bounds $(BOUNDS))
 
+.PHONY: same
+same: ## plays small scenes and random games beside those of a commit, to the last bit: BASE=COMMIT
+	@rm -rf build/same && mkdir -p build/same
+	@git archive $(or $(BASE),HEAD) physics.lua physics | tar -x -C build/same
+	@diff <(luajit scripts/same.lua build/same) <(luajit scripts/same.lua .) >build/same.txt \
+	  && echo "All is the same." \
+	  || { sed -n 's/^[<>] \(.*\), frame.*/differs: \1/p' build/same.txt | sort -u; exit 1; }
+
 .PHONY: games
 games: setup ## plays random games of six kinds and looks for what a player would notice: GAMES=100, SEED=1
 	@luajit scripts/fuzz.lua --game all --games $(or $(GAMES),100) --seed $(or $(SEED),1)
 
-.PHONY: bench bench-quick bench-docs bench-size
+.PHONY: bench bench-quick bench-docs bench-size bench-ordinary
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
 	@bash scripts/bench.sh $(BENCH)
 
@@ -100,6 +112,9 @@ bench-quick: setup ## looks whether the benchmark runs, without looking at times
 
 bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="--only spot --both"
 	@luajit bench/worst.lua $(WORST)
+
+bench-ordinary: setup ## times 43 ordinary calls beside those of a commit: BASE=COMMIT
+	@luajit bench/ordinary.lua $(or $(BASE),HEAD)
 
 bench-size: setup ## measures size, time of require and memory; BENCH="--path DIR" to find bump.lua
 	@luajit bench/size.lua $(BENCH)

@@ -2,6 +2,7 @@
 -- with a window holds another ball. Where the ball hits the paddle decides where it goes.
 
 local boxes = require("boxes")
+local bullet = require("kit.bullet")
 local input = require("input")
 local look = require("look")
 local physics = require("physics")
@@ -47,22 +48,21 @@ local function loseBall(_, ball)
   world:remove(ball)
 end
 
-local function hitAnything(bullet)
-  world:remove(bullet)
+local function hitAnything(_, shot)
   state.hits = state.hits + 1
-  sparks.flash(bullet.x, bullet.y, 4, paddle.y - bullet.y)
+  sparks.flash(shot.x, shot.y, 4, paddle.y - shot.y)
 end
 
 local function shoot()
-  local bullet = { vy = -BULLET_SPEED, onBegin = hitAnything }
-  boxes.add(world, "bullets", "cyan", paddle.x + paddle.width / 2 - 2, paddle.y, 4, 12, bullet)
+  local shot = { x = paddle.x + paddle.width / 2 - 2, y = paddle.y, width = 4, height = 12 }
+  shot.vy, shot.owner, shot.color = -BULLET_SPEED, "paddles", "cyan"
+  bullet.shoot(world, "bullets", shot)
   state.shots = state.shots + 1
 end
 
 function breakout.load()
-  local masks = { balls = { balls = false, bullets = false }, bullets = { paddles = false } }
-  world = physics.newWorld({ gravity = 0, masks = masks })
-  breakout.world, state = world, { shots = 0, hits = 0 }
+  world = physics.newWorld({ gravity = 0, masks = { balls = { balls = false, bullets = false } } })
+  breakout.world, state, bullet.onHit = world, { shots = 0, hits = 0 }, hitAnything
   mouseX = input.mouse()
   sparks.clear()
   -- One pixel of wall holds everything, however fast it is.
@@ -92,6 +92,7 @@ function breakout.update(dt)
   if not (world.objects.balls and world.objects.balls[1]) then
     addBall(paddle.x + (paddle.width - BALL) / 2, paddle.y - 40, 0.6, -1)
   end
+  bullet.update(world, "bullets", dt)
   world:update(dt)
   sparks.update(dt)
 end

@@ -90,10 +90,16 @@ function frame.around(entry)
   return frame
 end
 
-function frame.load()
+function frame.load(...)
   clock.isPaused = false
   meter.reset()
-  example.load()
+  example.load(...)
+end
+
+function frame.leave()
+  if example.leave then
+    example.leave()
+  end
 end
 
 function frame.update(dt)

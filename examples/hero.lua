@@ -1,4 +1,5 @@
--- How a player runs and jumps, in the examples where that is not the point.
+-- How a player runs and jumps, in the examples where that is not the point. The hero to copy is
+-- kit/hero.lua.
 
 local input = require("input")
 

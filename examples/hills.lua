@@ -2,11 +2,13 @@
 -- the hero keeps to the ground downhill. On the way: a bridge to jump through, a turtle, stairs, a
 -- cable car, and a mine cart that the slopes drive.
 --
--- This file is the game: what is in the level and how things move. terrain.lua makes slopes of the
--- hills, and hills_art.lua draws them. The physics is that of the library.
+-- This file is the game: what is in the level and how things move. kit/hero.lua moves the hero,
+-- terrain.lua makes slopes of the hills, hills_art.lua draws them. The physics is that of the
+-- library.
 
 local art = require("hills_art")
-local hero = require("hero")
+local hero = require("kit.hero")
+local input = require("input")
 local physics = require("physics")
 local terrain = require("terrain")
 
@@ -80,6 +82,7 @@ for name in NAMES:gmatch("%S+") do
 end
 
 local DEEP, HIGH = 1600, -1200 -- px, y: the lower end of the ground, the upper end of the rock
+local FEEL = { runSpeed = 230, runUpInAir = 1800, jumpSpeed = 620, dropThrough = true }
 local TURTLE_PERIOD, CAR_PERIOD = 3.8, 3.2 -- s, there or back
 local CART_PULL, CART_SPEED = 900, 130 -- px/s², on a gradient of 1; px/s, at least
 
@@ -99,7 +102,8 @@ local function fallIntoWater(_, other)
   if other == player then
     state.deaths = state.deaths + 1
     art.burst(player, 24, "white")
-    player.x, player.y, player.vx, player.vy = state.startX, state.startY, 0, 0
+    player.x, player.y = state.startX, state.startY
+    hero.reset(player)
     cart.x, cart.y, cart.vx, cart.vy, cart.isRolling = cart.startX, cart.startY, 0, 0, false
   end
 end
@@ -115,7 +119,7 @@ end
 local put = {}
 
 function put.hero(_, x1, y1, x2)
-  player = { x = (x1 + x2) / 2 - 60, y = y1 - 34, width = 26, height = 34, lookX = 1, lookY = 0 }
+  player = { x = (x1 + x2) / 2 - 60, y = y1 - 34, width = 26, height = 34, hero = hero.new(FEEL) }
   player.constantSpeed = true -- uphill it is as fast along the ground as on level ground
   player.nudge, player.snap = 16, 16 -- px: up and down stairs without a jump
   world:add("players", player)
@@ -256,11 +260,20 @@ local function roll(dt)
   end
 end
 
+local function readKeys()
+  return {
+    left = input.isDown("left", "a"),
+    right = input.isDown("right", "d"),
+    down = input.isDown("down", "s"),
+    jump = input.isDown("space", "up", "w"),
+  }
+end
+
 -- On a lift or a turtle vx is relative to it. The cart is no lift, so this does the same for it.
 local function run(dt)
   local isInCart = player.touching.bottom == cart
   player.vx = player.vx - (isInCart and cart.vx or 0)
-  hero.run(player, dt)
+  hero.update(world, player, readKeys(), dt)
   roll(dt)
   player.vx = player.vx + (isInCart and cart.vx or 0)
 end
@@ -278,14 +291,6 @@ function hills.update(dt)
     end
   end
   art.update(dt)
-end
-
-function hills.keypressed(key, isRepeat)
-  if key == "space" or key == "up" or key == "w" then
-    hero.jump(player)
-  elseif (key == "down" or key == "s") and not isRepeat then
-    world:dropThrough(player)
-  end
 end
 
 function hills.camera()

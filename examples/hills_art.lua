@@ -56,7 +56,7 @@ end
 
 local function follow(dt)
   local width, height = view.gameWidth, view.height
-  local x = player.x + player.width / 2 + player.lookX * 70 - width / 2
+  local x = player.x + player.width / 2 + player.hero.facing * 70 - width / 2
   x = math.max(0, math.min(state.width - width, x))
   camera.x = camera.x + (x - camera.x) * math.min(1, 6 * dt)
   camera.y = camera.y + (player.y - height * 0.55 - camera.y) * math.min(1, 5 * dt)
@@ -193,9 +193,9 @@ function draw.players()
   local stretch = math.min(0.2, math.abs(player.vy) / 6000) - squash
   local step = onGround and math.sin(player.x * 0.12) * 4 or 3
   local lookY = math.max(-1, math.min(1, player.vy / 500))
-  local width, height = player.width, player.height
+  local width, height, facing = player.width, player.height, player.hero.facing
   place(player)
-  sprites.hero(-width / 2, -height, width, height, stretch, step, player.lookX, lookY, onGround)
+  sprites.hero(-width / 2, -height, width, height, stretch, step, facing, lookY, onGround)
 end
 
 function draw.water(water)

@@ -19,12 +19,13 @@ local EXAMPLES = {
   { name = "survivors", title = "Survivors", text = "Hundreds of enemies around you." },
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
+  { name = "online", title = "Online", text = "Football over a bad line, with rollback." },
   { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },
   { name = "rooms", title = "Rooms", text = "Maps as others make them." },
   { name = "marbles", title = "Marbles", text = "Slopes, bumpers, pegs, and a lift." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }
-local X, Y, WIDTH, HEIGHT, GAP = 40, 136, 440, 33, 4
+local X, Y, WIDTH, HEIGHT, GAP = 40, 136, 440, 30, 4
 local SHOW_X, SHOW_Y, SHOW_SCALE = 520, 122, 2 / 3
 local SHOW_WIDTH, SHOW_HEIGHT = view.gameWidth * SHOW_SCALE, view.height * SHOW_SCALE
 local COLORS = { "red", "orange", "yellow", "green", "sky", "blue", "plum" }
@@ -130,9 +131,9 @@ local function drawEntry(entry, y, isChosen)
     love.graphics.rectangle("fill", X, y, WIDTH, HEIGHT, 10)
   end
   look.color("white", isChosen and 1 or 0.8)
-  look.text(entry.title, X + 18, y + 5, 20)
+  look.text(entry.title, X + 18, y + 3, 20)
   look.color(isChosen and "white" or "silver", isChosen and 1 or 0.8)
-  look.text(entry.text, X + 142, y + 9, 14)
+  look.text(entry.text, X + 142, y + 7, 14)
 end
 
 local function drawShow()

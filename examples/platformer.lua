@@ -1,21 +1,27 @@
 -- A level to play: run, jump, push the crate, land on heads, reach the flag. A jump key that is
 -- pressed a little early or late counts. The longer you hold it, the higher you jump.
 --
--- This file is the game: what is in the level and how the player moves. How it looks is in
--- platformer_art.lua. The physics is that of the library.
+-- This file is the game: what is in the level, and how it feels. How it looks is in
+-- platformer_art.lua; the player, the enemies and coming back are from the kit, files to copy. The
+-- physics is that of the library.
 
 local art = require("platformer_art")
+local checkpoint = require("kit.checkpoint")
+local crumble = require("kit.crumble")
+local enemy = require("kit.enemy")
+local hero = require("kit.hero")
 local input = require("input")
 local physics = require("physics")
 local view = require("view")
 
 local platformer = { keys = { { "left", "right", "run" }, { "space", "jump" } } }
 
--- # ground  = bricks  C crate  o coin  E enemy  ^ spikes  S spring  F flag  P player
+-- # ground  = bricks  ~ bricks that crumble  C crate  o coin  E enemy  ^ spikes  S spring  F flag
+-- P player
 local LEVEL = [[
 #                                                                                          #
 #                                                             ooooo                        #
-#                                                             =====                        #
+#                                                             ~~~~~                        #
 #                                                                                          #
 #                                                                                          #
 #                                                             o o o                        #
@@ -31,11 +37,16 @@ local TILE = 40 -- px, one character of the map
 local SOLID = { ["#"] = true, ["="] = { group = "bricks" } } -- ["#"]: in the group "tiles"
 
 -- What makes a jump feel right: it is forgiving at both ends, and as high as the key is held long.
-local RUN_SPEED, RUN_UP, RUN_UP_IN_AIR = 290, 2200, 1500 -- px/s, px/s², px/s²
-local JUMP_SPEED, SHORT_JUMP_SPEED = 780, 260 -- px/s
-local COYOTE_TIME = 0.09 -- s, in which one may still jump after walking off an edge
-local BUFFER_TIME = 0.12 -- s, for which a jump key pressed too early is remembered
-local FALL_SPEED = 1100 -- px/s, the highest; a spring may throw faster
+local FEEL = {
+  runSpeed = 290, -- px/s
+  runUp = 2200, -- px/s²
+  runUpInAir = 1500,
+  jumpSpeed = 780, -- px/s
+  shortJump = 260,
+  coyoteTime = 0.09, -- s, in which one may still jump after walking off an edge
+  jumpBuffer = 0.12, -- s, for which a jump key pressed too early is remembered
+  fallSpeed = 1100, -- px/s, the highest; a spring may throw faster
+}
 local NUDGE = 6 -- px: a head or a foot that hits a corner by at most this slips past it
 local STOMP_SPEED, SPRING_SPEED, ENEMY_SPEED = 520, 1180, 70 -- px/s
 
@@ -45,10 +56,8 @@ local world, player, state ---@type physics.World, any, table
 -- them after the step.
 
 local function die()
-  if not state.deadFor then
-    state.deadFor = 0
+  if checkpoint.die(player) then
     state.deaths = state.deaths + 1
-    player.active = false
     art.burst(player, 18, "red")
   end
 end
@@ -67,11 +76,11 @@ local function hitSpikes(_, other)
   end
 end
 
-local function meetEnemy(enemy, other, side)
+local function meetEnemy(guard, other, side)
   if other == player and side == "top" then
-    art.burst(enemy, 14, "plum")
-    world:remove(enemy)
-    player.vy = -STOMP_SPEED
+    art.burst(guard, 14, "plum")
+    world:remove(guard)
+    player.vy, player.hero.isJumping = -STOMP_SPEED, false
   elseif other == player then
     die()
   end
@@ -80,7 +89,9 @@ end
 local function jumpOnSpring(spring, other, side)
   if side == "top" and not other.static then
     other.vy = -SPRING_SPEED
-    state.isJumping = false
+    if other == player then
+      player.hero.isJumping = false -- letting the key go does not cut this flight short
+    end
     spring.pressedAt = state.time
   end
 end
@@ -95,6 +106,11 @@ end
 
 -- One function for each character of the map that is no tile; x, y is the top-left corner there.
 local build = {
+  ["~"] = function(x, y)
+    local brick = { x = x, y = y, width = TILE, height = TILE, static = true }
+    brick.crumble, brick.onBegin = crumble.new(), crumble.onBegin
+    world:add("crumbling", brick)
+  end,
   C = function(x, y)
     local crate = { x = x + 2, y = y + 4, width = 36, height = 36, mass = 0.5, friction = 0.3 }
     world:add("crates", crate)
@@ -105,9 +121,9 @@ local build = {
     world:add("coins", coin)
   end,
   E = function(x, y)
-    local enemy = { x = x + 3, y = y + 12, width = 34, height = 28, mass = 4, direction = -1 }
-    enemy.onBegin = meetEnemy
-    world:add("enemies", enemy)
+    local guard = { x = x + 3, y = y + 12, width = 34, height = 28, mass = 4 }
+    guard.enemy, guard.onBegin = enemy.new({ speed = ENEMY_SPEED }), meetEnemy
+    world:add("enemies", guard)
   end,
   ["^"] = function(x, y)
     -- Smaller than its picture: no player likes to die beside a spike.
@@ -126,9 +142,8 @@ local build = {
     world:add("flags", flag)
   end,
   P = function(x, y)
-    state.startX, state.startY = x + 7, y + 6
-    player = { x = state.startX, y = state.startY, width = 26, height = 34, vx = 0, vy = 0 }
-    player.nudge, player.maxFallSpeed, player.facing = NUDGE, FALL_SPEED, 1
+    player = { x = x + 7, y = y + 6, width = 26, height = 34, hero = hero.new(FEEL) }
+    player.nudge, player.checkpoint = NUDGE, checkpoint.new(player)
     world:add("players", player)
   end,
 }
@@ -136,7 +151,7 @@ local build = {
 function platformer.load()
   world = physics.newWorld({ gravity = 2000 })
   platformer.world = world
-  state = { time = 0, coins = 0, deaths = 0, sinceGround = 1, sinceKey = 1, fallSpeed = 0 }
+  state = { time = 0, coins = 0, deaths = 0 }
   local rows = {}
   for row in LEVEL:gmatch("[^\n]+") do
     rows[#rows + 1] = row
@@ -157,73 +172,28 @@ function platformer.load()
   art.load(world, player, state)
 end
 
-local function approach(value, target, step)
-  return value < target and math.min(target, value + step) or math.max(target, value - step)
-end
-
-local function steer(dt)
-  local direction = input.axis("left", "a", "right", "d")
-  local onGround = player.touching.bottom
-  local speedUp = onGround and RUN_UP or RUN_UP_IN_AIR
-  player.vx = approach(player.vx, direction * RUN_SPEED, speedUp * dt)
-  if direction ~= 0 then
-    player.facing = direction
-  end
-
-  state.sinceGround = onGround and 0 or state.sinceGround + dt
-  state.sinceKey = state.sinceKey + dt
-  if state.sinceKey < BUFFER_TIME and state.sinceGround < COYOTE_TIME then
-    player.vy = -JUMP_SPEED
-    state.sinceKey, state.sinceGround = BUFFER_TIME, COYOTE_TIME
-    state.isJumping = true
-  end
-  -- Letting the key go cuts a jump short, but not the flight off a spring or an enemy.
-  if state.isJumping and not input.isDown("space", "up", "w") then
-    player.vy = math.max(player.vy, -SHORT_JUMP_SPEED)
-    state.isJumping = false
-  end
-end
-
-local function patrol(enemy)
-  if enemy.touching.left then
-    enemy.direction = 1
-  elseif enemy.touching.right then
-    enemy.direction = -1
-  end
-  enemy.vx = enemy.direction * ENEMY_SPEED
-end
-
-local function comeBack()
-  state.deadFor = nil
-  player.active = true
-  player.x, player.y, player.vx, player.vy = state.startX, state.startY, 0, 0
+local function readKeys()
+  return {
+    left = input.isDown("left", "a"),
+    right = input.isDown("right", "d"),
+    jump = input.isDown("space", "up", "w"),
+  }
 end
 
 function platformer.update(dt)
   state.time = state.time + dt
-  if state.deadFor then
-    state.deadFor = state.deadFor + dt
-    if state.deadFor > 0.8 then
-      comeBack()
-    end
-  elseif not state.won then
-    steer(dt)
-  else
-    player.vx = approach(player.vx, 0, RUN_UP * dt)
+  if checkpoint.update(world, player, dt) then
+    hero.reset(player)
   end
-  for _, enemy in ipairs(world.objects.enemies) do
-    patrol(enemy)
+  hero.update(world, player, state.won and {} or readKeys(), dt)
+  for _, guard in ipairs(world.objects.enemies) do
+    enemy.update(world, guard, dt)
+  end
+  for _, brick in ipairs(world.objects.crumbling) do
+    crumble.update(world, brick, dt)
   end
   world:update(dt)
   art.update(dt)
-end
-
-function platformer.keypressed(key, isRepeat)
-  if isRepeat then
-    return
-  elseif key == "space" or key == "up" or key == "w" then
-    state.sinceKey = 0
-  end
 end
 
 function platformer.camera()

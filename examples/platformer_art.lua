@@ -33,7 +33,7 @@ function art.update(dt)
   clock = clock + dt
   sparks.update(dt)
   local width = view.gameWidth
-  local target = player.x + player.width / 2 + player.facing * 70 - width / 2
+  local target = player.x + player.width / 2 + player.hero.facing * 70 - width / 2
   target = math.max(0, math.min(state.width - width, target))
   camera = camera + (target - camera) * math.min(1, 6 * dt)
 
@@ -87,7 +87,8 @@ end
 
 local draw = {}
 
-local tiles = {} -- one function for each character of the level that is a tile
+-- One function for each character of the level that is a tile.
+local tiles = {} ---@type table<string, function>
 
 tiles["#"] = function(x, y, size, hasGrass)
   look.color("dusk")
@@ -118,7 +119,7 @@ end
 
 -- The objects of the tiles are large rectangles. The map knows each tile.
 local function drawTiles()
-  local size, map = state.tile, state.tiles
+  local size, map = state.tile, state.tiles ---@type number, any
   local first = math.max(1, math.floor(camera / size))
   for column = first, math.min(state.columns, first + math.ceil(view.gameWidth / size) + 1) do
     for row = 1, state.rows do
@@ -128,6 +129,13 @@ local function drawTiles()
         tiles[kind](size * (column - 1), state.top + size * (row - 1), size, hasGrass)
       end
     end
+  end
+end
+
+function draw.crumbling(brick)
+  if brick.active ~= false then
+    local shake = brick.crumble.left and math.sin(clock * 70) * 2 or 0
+    tiles["="](brick.x + shake, brick.y, brick.width)
   end
 end
 
@@ -151,7 +159,7 @@ function draw.enemies(enemy)
   love.graphics.rectangle("fill", x, y + bob, width, height - 4 - bob, 11)
   look.color("sky")
   love.graphics.rectangle("fill", x + 5, y + 3 + bob, width - 10, 5, 3)
-  look.eyes(x, y + bob + 2, width, height, enemy.direction, 0.3)
+  look.eyes(x, y + bob + 2, width, height, enemy.enemy.direction, 0.3)
 end
 
 function draw.spikes(spikes)
@@ -180,7 +188,7 @@ function draw.flags(flag)
 end
 
 function draw.players()
-  if not player.active and state.deadFor then
+  if player.active == false then
     return
   end
   local stretch = math.min(0.2, math.abs(player.vy) / 6000) - squash
@@ -188,10 +196,11 @@ function draw.players()
   local step = onGround and math.sin(player.x * 0.12) * 4 or 3
   local x, y, width, height = player.x, player.y, player.width, player.height
   local lookY = math.max(-1, math.min(1, player.vy / 500))
-  sprites.hero(x, y, width, height, stretch, step, player.facing, lookY, onGround)
+  sprites.hero(x, y, width, height, stretch, step, player.hero.facing, lookY, onGround)
 end
 
-local BEHIND, BEFORE = { "flags", "spikes", "springs" }, { "coins", "crates", "enemies", "players" }
+local BEHIND = { "flags", "spikes", "springs", "crumbling" }
+local BEFORE = { "coins", "crates", "enemies", "players" }
 
 local function drawObjects(groups)
   local left, right = camera - 100, camera + view.gameWidth + 100

@@ -24,42 +24,41 @@ local MODES = {
 
 -- records[i] is what was before step i, and the keys that were held in it. Mode "play" adds to
 -- them, "again" follows them from step `now` on, "rewound" waits.
-local world, records, state ---@type physics.World, table, table
+local game, world, records, state ---@type any, physics.World, table, table
 
 function rollback.load()
-  football.load()
-  world, records = football.world, {}
+  game = football.new()
+  world, records = game.world, {}
   rollback.world, state = world, { now = 1, mode = "play", untilStep = 0, same = 0, different = 0 }
 end
 
-local function record(keys)
+local function record()
   local old = #records == MOST and table.remove(records, 1) or {}
   records[#records + 1] = {
-    keys = keys,
+    keys1 = football.readKeys("a", "d", "w"),
+    keys2 = football.readKeys("left", "right", "up"),
     hash = world:hash(), -- a number that stands for the whole state
     world = world:save(old.world), -- fills the oldest one anew, to make no garbage
-    game = football.save(), -- what is the game's own, the game has to save
-    x = football.ball.x + 12, -- for the picture
-    y = football.ball.y + 12,
+    x = game.ball.x + 12, -- for the picture
+    y = game.ball.y + 12,
   }
   state.now = #records
 end
 
 local function goTo(step)
   state.now = math.max(1, math.min(#records, step))
-  world:restore(records[state.now].world) -- the same tables as then; in them what is the library's
-  football.restore(records[state.now].game)
+  world:restore(records[state.now].world) -- the same tables as then
   state.mode = "rewound"
 end
 
 local function step()
   if state.mode == "play" then
-    record(football.readKeys())
+    record()
   else
     local result = world:hash() == records[state.now].hash and "same" or "different"
     state[result] = state[result] + 1
   end
-  football.step(records[state.now].keys)
+  game:step(records[state.now].keys1, records[state.now].keys2)
   state.now = state.now + 1
   state.mode = state.now > #records and "play" or state.mode
 end
@@ -118,7 +117,7 @@ local function comparison()
 end
 
 function rollback.draw()
-  football.draw()
+  game:draw()
   drawWay()
   look.panel(16, SLIDER_Y - 38, 928, 66)
   local share = math.min(1, state.now / math.max(1, #records))
@@ -133,7 +132,7 @@ function rollback.draw()
 end
 
 function rollback.report()
-  local result, blue = "rollback: x=%d y=%d records=%d same=%d different=%d", football.players[2]
+  local result, blue = "rollback: x=%d y=%d records=%d same=%d different=%d", game.players[2]
   return result:format(blue.x, blue.y, #records, state.same, state.different)
 end
 

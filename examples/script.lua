@@ -28,7 +28,8 @@ local OPTIONS = {
     script.example = value
   end,
   width = function(value)
-    view.gameWidth = tonumber(value) or error("--width: expected a number, got " .. value)
+    local width = tonumber(value) or error("--width: expected a number, got " .. value)
+    view.gameWidth = math.floor(width)
     view.width = view.gameWidth
   end,
   frames = function(value)
@@ -61,6 +62,21 @@ function script.read(arguments)
       set(value)
     end
   end
+end
+
+--- Returns the words of the command line that are no options, of which the first one names an
+--- example: `love examples online host`.
+function script.readWords(arguments)
+  local words = {}
+  for _, argument in ipairs(arguments) do
+    if argument:find("^[%w.:*][%w.:*%-]*$") and (words[1] or argument:find("^%l+$")) then
+      words[#words + 1] = argument
+    end
+  end
+  if script.example then
+    return script.example, words[1], words[2]
+  end
+  return words[1], words[2], words[3]
 end
 
 -- How many colours a picture has, from a grid of samples: an empty one would be no proof.

@@ -7,6 +7,7 @@
 local boxes = require("boxes")
 local hero = require("hero")
 local input = require("input")
+local lift = require("kit.lift")
 local look = require("look")
 local physics = require("physics")
 local sparks = require("sparks")
@@ -25,6 +26,7 @@ local tiled = {
 
 local GRAVITY, IN_WATER = 1600, 320 -- px/s²
 local STROKE_SPEED, SWIM_SPEED, DRAG_IN_WATER = 250, 150, 3 -- px/s, px/s, 1/s
+local REST = 0.7 -- s, of a lift at its ends
 
 local world, level, player, state ---@type physics.World, physics.Level, any, table
 local isMerging = true
@@ -59,6 +61,14 @@ local function bringToLife(group, callback)
   end
 end
 
+-- The editor says where a lift goes (toX or toY) and how long it takes.
+local function startLift(platform)
+  local x, y = platform.toX or platform.x, platform.toY or platform.y
+  local distance = math.abs(x - platform.x) + math.abs(y - platform.y)
+  local settings = { speed = distance / (platform.period - REST), wait = REST }
+  platform.lift = lift.new(platform, { { platform.x, platform.y }, { x, y } }, settings)
+end
+
 function tiled.load()
   world = physics.newWorld({ gravity = GRAVITY })
   level = world:loadTiled("maps/hills.lua", { merge = isMerging })
@@ -66,8 +76,8 @@ function tiled.load()
   bringToLife("coins", takeCoin)
   bringToLife("spikes", die)
   bringToLife("flags", win)
-  for _, lift in ipairs(world.objects.lifts) do
-    lift.fromX, lift.fromY = lift.x, lift.y
+  for _, platform in ipairs(world.objects.lifts) do
+    startLift(platform)
   end
   player = level.named.hero
   player.lookX, player.lookY = 1, 0
@@ -76,15 +86,6 @@ function tiled.load()
   tiled.world = world
   tiledMap.load(level.map)
   sparks.clear()
-end
-
--- The editor says where a lift goes (toX or toY) and how long it takes.
-local function moveLift(lift)
-  local way = state.time / lift.period % 2
-  way = way < 1 and way or 2 - way -- there and back again
-  way = way * way * (3 - 2 * way)
-  lift.x = lift.fromX + ((lift.toX or lift.fromX) - lift.fromX) * way
-  lift.y = lift.fromY + ((lift.toY or lift.fromY) - lift.fromY) * way
 end
 
 local function swim(dt)
@@ -135,8 +136,8 @@ end
 
 function tiled.update(dt)
   state.time = state.time + dt
-  for _, lift in ipairs(world.objects.lifts) do
-    moveLift(lift)
+  for _, platform in ipairs(world.objects.lifts) do
+    lift.update(world, platform, dt)
   end
   swim(dt)
   world:update(dt)
@@ -182,8 +183,8 @@ local function drawObjects()
       tiledMap.drawObject(object)
     end
   end
-  for _, lift in ipairs(world.objects.lifts) do
-    look.box(lift.x, lift.y, lift.width, lift.height, "sky")
+  for _, platform in ipairs(world.objects.lifts) do
+    look.box(platform.x, platform.y, platform.width, platform.height, "sky")
   end
   local x, y, width, height = player.x, player.y, player.width, player.height
   look.box(x, y, width, height, "orange")

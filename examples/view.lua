@@ -26,13 +26,13 @@ function view.draw(draw)
   love.graphics.pop()
 end
 
---- Draws only inside a rectangle, which obeys the current transform.
-function view.clip(x, y, width, height, draw)
+--- Draws only inside a rectangle, which obeys the current transform. What follows is for `draw`.
+function view.clip(x, y, width, height, draw, ...)
   local left, top = love.graphics.transformPoint(x, y)
   local right, bottom = love.graphics.transformPoint(x + width, y + height)
   local oldX, oldY, oldWidth, oldHeight = love.graphics.getScissor()
   love.graphics.intersectScissor(left, top, math.max(0, right - left), math.max(0, bottom - top))
-  draw()
+  draw(...)
   love.graphics.setScissor(oldX, oldY, oldWidth, oldHeight)
 end
 

@@ -111,6 +111,7 @@ build = {
     ["physics.solver.snap"] = "physics/solver/snap.lua",
     ["physics.solver.solver"] = "physics/solver/solver.lua",
     ["physics.solver.sweep"] = "physics/solver/sweep.lua",
+    ["physics.solver.together"] = "physics/solver/together.lua",
     ["physics.solver.walk"] = "physics/solver/walk.lua",
     ["physics.space.boxes"] = "physics/space/boxes.lua",
     ["physics.space.lines"] = "physics/space/lines.lua",

@@ -6,21 +6,21 @@
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 642 },
-  { "physics/contacts", 370 },
-  { "physics/fields", 649 },
+  { "physics/broadphase", 643 },
+  { "physics/contacts", 372 },
+  { "physics/fields", 658 },
   { "physics/maps", 2460 },
-  { "physics/memory", 876 },
-  { "physics/motion", 1001 },
-  { "physics/narrowphase", 555 },
-  { "physics/objects", 1221 },
-  { "physics/overlaps", 794 },
-  { "physics/queries", 931 },
+  { "physics/memory", 886 },
+  { "physics/motion", 1038 },
+  { "physics/narrowphase", 556 },
+  { "physics/objects", 1263 },
+  { "physics/overlaps", 796 },
+  { "physics/queries", 890 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3326 },
+  { "physics/solver", 3473 },
   { "physics/space", 499 },
-  { "physics/state", 840 },
-  { "physics/world", 1452 },
+  { "physics/state", 881 },
+  { "physics/world", 1455 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -147,6 +147,14 @@ check "rollback: time was turned back and seen again" at_least rollback same 60
 check "rollback: and it was the same, to the bit" is rollback different 0
 check "rollback plays on differently" play rollback-on rollback 300 "$football,q:240-270,a:275-299"
 
+online=$(cat examples/demos/online.keys)
+check "online plays" play online online 330 "$online"
+check "online: the hashes of both sides are equal" at_least online equal 9
+check "online: time was turned back" at_least online back 3
+check "online: and the games are the same" is online desync none
+check "online: the line is cut and mended" play online-cut online 400 "$online,c:100,c:200"
+check "online: the games are the same again" at_least online-cut equal 8
+
 # The menu, and what the frame around the examples does for all of them.
 check "the menu starts what is chosen" play menu-starts menu 30 "down:5,down:8,down:11,return:15"
 check "the menu: that is lifts" at_least menu-starts x 300

@@ -117,16 +117,21 @@ check "topdown is drawn" still topdown topdown 400 "$(cat examples/demos/topdown
 check "breakout is drawn" still breakout breakout 500 "$(cat examples/demos/breakout.keys)"
 check "survivors is drawn" still survivors survivors 1100 "$(cat examples/demos/survivors.keys)"
 check "rollback is drawn" still rollback rollback 372 "$(cat examples/demos/rollback.keys)"
+check "online is drawn" still online online 330 "$(cat examples/demos/online.keys)"
 check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
 check "rooms is drawn" still rooms rooms 130 "$(cat examples/demos/rooms.keys)"
 check "marbles is drawn" still marbles marbles 1300
-for name in hills pile balls lifts platformer tutorial topdown survivors breakout rollback tiled rooms marbles; do
+for name in hills pile balls lifts platformer tutorial topdown survivors breakout rollback online tiled rooms marbles; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 
 for name in objects contacts filters queries platforms debugging; do
   check "the scene of guide/$name.md is drawn" scene "guide-$name"
   check "guide-$name has less than 200 kB" smaller_than 200000 "$target/guide-$name.png"
+done
+
+for name in hero lift enemy crumble checkpoint bullet; do
+  check "$name.lua is drawn" scene "kit-$name"
 done
 
 for number in 1 2 3 4 5 6 7; do

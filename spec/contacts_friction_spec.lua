@@ -14,6 +14,7 @@ local FINE = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = {
 FINE.rate, FINE.broadphase = { 30, 60, 240, 1000 }, { "grid" }
 local BOTH = { shift = { 0 }, order = { "forward" }, turn = { 0, 2 }, rate = { 30, 60, 144 } }
 
+local SLOW = { shift = { 0 }, push = { "both" }, turn = { 0, 2 }, rate = { 30, 60 } }
 local THIRTY = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate = { 30 } }
 
 local floors = scene.maker("floors", { static = true })
@@ -476,4 +477,27 @@ describe("friction: of a stack", function()
     local high = { friction = 0.5, mass = v.mass, airFriction = 2 }
     return { raft("raft", 0, 100, 400, 16), scene.maker("crates", high)("high", 90, 84, 16, 16) }
   end, { { 0.25, "high.vx ~ 200 * (1 - exp(-2 * t)), 1e-6" } }, { "mass", { 1 }, { 3 } })
+
+  --     ->+-+       of two crates before a ram, the upper one is hit: 140 px/s of 1 kg, by 3 kg
+  --       +-+==         at -55 are -6.25 for both; friction draws them by 0.4 * 900 * 3 / 4
+  --     +---+== <-      = 270 px/s², on a belt, too
+  --   ----------- 40 ->
+  play.row("holds nothing against a hit: {hit}, on a belt at {belt} px/s", SLOW, function(v)
+    local crate = scene.maker("crates", { mass = 3, friction = 0.4 })
+    return {
+      gravity = 900,
+      scene.maker("belts", { static = true, surfaceSpeed = v.belt })("belt", -1000, 315, 3000, 40),
+      crate("low", 400, 288, 29, 27),
+      crate("top", 404, 272, 21, 16),
+      scene.maker("rams", { kinematic = true, vx = -55 })("ram", 429, 293, 70, 10),
+      scene.maker("men", { gravity = 0, active = false })("man", 0, 260, 16, 24),
+    }
+  end, {
+    1,
+    "man.active, man.x, man.vx = true, top.x - 17, 140",
+    { steps = 1 },
+    "start = top.x",
+    0.1,
+    "top.x ~ start - 6.25 * 0.1 - 135 * 0.1 ^ 2 - 270 * dt * 0.05, 270 * dt * 0.05 + 0.01",
+  }, { "hit, belt", { "at rest", 0 }, { "pressed to the ram", 40 } })
 end)

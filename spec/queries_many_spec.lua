@@ -181,6 +181,71 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
 end)
 
 describe("queryRect and the others", function()
+  -- Plays a game in which objects come, go and change their places in the tables, and returns what
+  -- was told. With `isAsked` it asks a question after each change.
+  local function play(seed, isAsked)
+    local random, told, world = newRandom(seed), {}, physics.newWorld({ gravity = 600 })
+    local groups, objects, count = { "a", "b", 3 }, world.objects, 0
+    local function note(name)
+      return function(one, other, side)
+        told[#told + 1] = ("%s %s %s %s"):format(name, one.name, other.name, tostring(side))
+      end
+    end
+    world.onBegin, world.onEnd = note("begin"), note("end")
+    world.onBegin, world.onEnd = note("begin"), note("end")
+    world:add("floors", small.set(tile(0, 100, 200, 16), { name = "floor" }))
+    local acts = {
+      function(members, n) -- comes, also in the middle, by the game's own hand
+        count = count + 1
+        local isStatic = random:chance(0.2)
+        local y = random:integer(0, 80)
+        local object = sized(random:integer(0, 180), y, 12, 12, { static = isStatic, name = count })
+        table.insert(members, n, object)
+      end,
+      function(members, n) -- goes
+        world:remove(members[n] or {})
+      end,
+      function(members, n) -- goes to another group
+        local object = table.remove(members, n)
+        if object then
+          world:add(random:pick(groups), object)
+        end
+      end,
+      function(members, n) -- is gone for the length of a question
+        local object = members[n]
+        table.remove(members, n)
+        local _ = isAsked and world:queryPoint(0, 0)
+        table.insert(members, n, object)
+      end,
+      function(members, n) -- is elsewhere for the length of a question
+        local object = members[n] or {}
+        local x = object.x
+        object.x = 500
+        local _ = isAsked and world:queryPoint(505, 0)
+        object.x = x
+      end,
+    }
+    for _, group in ipairs(groups) do
+      objects[group] = {}
+    end
+    for _ = 1, 40 do
+      for _ = 1, 4 do
+        local members = objects[random:pick(groups)]
+        random:pick(acts)(members, random:integer(1, #members + 1))
+        local _ = isAsked and world:queryRect(0, 0, 50, 50)
+      end
+      world:update(1 / 60)
+      told[#told + 1] = ("%.0f"):format(world:hash())
+    end
+    return told
+  end
+
+  it("change nothing by asking, whatever comes and goes meanwhile", function()
+    for seed = 1, 12 do
+      assert.are.same(play(seed, false), play(seed, true))
+    end
+  end)
+
   it("may be asked inside canCollide and inside events; only in these it may be moved", function()
     local world = physics.newWorld({ gravity = 800 })
     world:add("floor", tile(0, 100, 200, 20))

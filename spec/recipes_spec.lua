@@ -115,34 +115,6 @@ end
 
 local rows = {}
 
-rows["Variable jump"] = {
-  { "+space", 1.2, { rise = { 99.9, 100.1 } } },
-  { "-space +space", 0.1 },
-  { "-space", 1.2, { rise = { 0, 20 }, y = 368 } },
-}
-rows["Double jump"] = {
-  { "+space", 0.45, { rise = { 98.5, 100.1 } } },
-  { "+space", 0.45, { least = { 100, 188 } } },
-  { "+space", 1.5, { rise = { -1, 2 }, y = 368 } }, -- a third one does nothing
-  { "", 0.1, nil, { y = 100 } }, -- off an edge only one is left
-  { "+space", 0.1, { vy = { -400, -200 } } },
-  { "+space", 0.1, { vy = { -300, 400 } } },
-}
-rows["Wall jump"] = {
-  { "+right", 0.1, { right = true }, { x = 70, y = 300 } },
-  { "+space", 0.1, { vx = -200, vy = { -1000, 0 }, x = { 0, 60 } } },
-  { "", 0.1, { vx = 160 } }, -- the keys steer again
-}
-rows["Ladders"] = {
-  { "+up", 1, { y = { 245.9, 250.1 } } },
-  { "-up", 1, { rise = { -1, 2.1 } } },
-  { "+down", 2, { y = 368 } },
-  { "-down +up", 3, { y = 168, least = { 165.9, 168.1 } } }, -- to the ledge, without a hop
-  { "", 1, { y = 168, least = 168 } },
-  { "-up +down", 0.5, { y = { 200, 368 } } },
-  { "", 2, { y = 368 } },
-  { "-down", 2, { y = 368, gravity = NIL }, { x = 100, y = 300 } },
-}
 rows["Knock-back"] = {
   { "+right", 0.25, { far = 76 } },
   { "", 0.1, { vx = -200, y = { 0, 368 } } },
@@ -153,19 +125,7 @@ rows["Running"] = {
   { "-right", 0.1, { vx = 40 } },
   { "", 0.1, { vx = 140 }, { vx = 160, floor = { ice = true } } },
 }
-rows["Wall slide"] = {
-  { "+right", 0.5, { right = true }, { x = 60, y = 100 } },
-  { "", 0.5, { vy = 60 } },
-  { "-right", 0.2, { vy = { 60 + 159, 60 + 161 } } },
-}
 rows["Springs"] = { { "", 3, { least = { 126.9, 127.1 } }, { x = 100, y = 300 } } }
-rows["Crumbling floor"] = {
-  { "", 0.4, { y = 268 }, { y = 268 } },
-  { "", 0.3, { y = { 268, 400 }, crumbling = { active = false } } },
-  { "", 4, { crumbling = { active = false } }, { y = 290, gravity = 0, vy = 0 } }, -- it waits
-  { "", 0.1, { crumbling = { active = true } }, { y = 200 } },
-  { "", 0.5, { y = 268 }, { gravity = NIL } },
-}
 rows["Doors"] = {
   { "+e", 1, { doors = { y = 200 } } },
   { "-e +e", 1, { doors = { y = 200 }, y = 368 }, { x = 96 } }, -- stopped by its head
@@ -205,34 +165,6 @@ rows["Pause and slow motion"] = {
   { "-p +p +x", 0.4, { y = 268 + 0.5 * 800 * 0.1 ^ 2 } },
 }
 
-rows["Bullets"] = {
-  { "", 0, nil, nil, { "enemies", { x = 700, y = 300, width = 1, height = 100, static = true } } },
-  { "+x", 0.2 },
-  { "-x +x", 0.2, { enemies = { health = 1 }, bullets = NIL, x = 40 } },
-  { "-x", 0, nil, nil, { "enemies" } },
-  { "", 0, nil, nil, { "water", { x = 200, y = 300, width = 50, height = 100, sensor = true } } },
-  { "+x", 1, { water = { health = NIL }, bullets = { y = { 300, 400 } } } }, -- it is not stopped
-  { "", 1.1, { bullets = NIL } }, -- after 2 s
-}
-local enemy = { x = 100, y = 360, width = 40, height = 40, pushable = false }
-rows["Dash"] = {
-  { "", 0.1, nil, nil, { "enemies", enemy } },
-  { "+x", 0.2, { x = { 100, 140 } } }, -- it ends inside the enemy
-  { "+right", 0.1, { y = 368, enemies = { x = 100, y = 360 } } },
-  { "", 0.5, { x = { 140, 900 }, mask = NIL, gravity = NIL } },
-}
-rows["Crouch"] = {
-  { "+down", 0.5, { y = 382, height = 18, bottom = true } },
-  -- There is no room to get up.
-  {
-    "-down",
-    0.5,
-    { height = 18 },
-    nil,
-    { "low", { x = 0, y = 350, width = 99, height = 30, static = true } },
-  },
-  { "", DT, { y = 368, height = 32, bottom = true }, nil, { "low" } },
-}
 local foe, far =
   { x = 74, y = 368, width = 24, height = 32 }, { x = 200, y = 368, width = 9, height = 9 }
 rows["Sword"] = {
@@ -291,49 +223,6 @@ recipes["Camera"] = function(snippet)
   g.player.x = 2990
   g.run(2)
   assert.near(2200, g.look(), 0.1)
-end
-
-recipes["Network rollback"] = function(snippet)
-  local keys = { [10] = { right = true, jump = true }, [11] = { right = true } }
-  -- steps by which the input is late, 0: it comes in time
-  local function playedWith(late)
-    local g = play(snippet, "receive")
-    local receive = g.look()
-    for step = 0, 59 do
-      if keys[step - late] then
-        receive(step - late, keys[step - late])
-      end
-      g.run(DT)
-    end
-    return g
-  end
-  local inTime = playedWith(0)
-  assert.is_true(inTime.player.y < 368)
-  for _, late in ipairs({ 1, 7, 30 }) do
-    local g = playedWith(late)
-    assert.equal(inTime.player.x, g.player.x)
-    assert.equal(inTime.world:hash(), g.world:hash())
-  end
-end
-
-recipes["A path for a lift"] = function(snippet)
-  local g = play(snippet)
-  local lift = g.world.objects.lifts[1]
-  g.player.y = 330
-  g.run(0.2)
-  local along = g.player.x - lift.x
-  local seen, highest = {}, 400
-  g.run(9, function()
-    assert.equal(lift, g.player.touching.bottom)
-    assert.near(lift.y - 32, g.player.y, 1e-9)
-    seen[("%.0f %.0f"):format(lift.x, lift.y)] = true
-    highest = math.min(highest, lift.y)
-  end)
-  for _, corner in ipairs({ "30 370", "230 370", "230 220", "30 220" }) do
-    assert.is_true(seen[corner], corner)
-  end
-  assert.equal(220, highest)
-  assert.near(lift.x + along, g.player.x, 1e-9) -- it rides without slipping
 end
 
 recipes["Carry and throw"] = function(snippet)

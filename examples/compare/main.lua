@@ -1,6 +1,6 @@
 -- The same scenes in several engines, side by side, with a number below each:
 --
---   love examples/compare                   physics.lua, love.physics and the tutorial's loop
+--   love examples/compare                   physics.lua, love.physics and a plain loop
 --   love examples/compare --path FOLDER     and bump.lua, which lies in FOLDER
 --   love examples/compare --measure         prints the table of docs/compare.md
 --   love examples/compare --record FOLDER   writes every fourth frame there as a PNG, and ends
@@ -126,7 +126,7 @@ local function drawPlay(play, i, width)
     local number = play.scene.number(play)
     local isGood = number == 0 or number == "stopped"
     love.graphics.setColor(isGood and GOOD or BAD)
-    write(plays.show(number), 6, 26, 30)
+    write(play.scene.isTimed and ("%.2f ms"):format(number) or plays.show(number), 6, 26, 30)
   end
   love.graphics.pop()
 end

@@ -4,13 +4,16 @@ local engines = require("bench.engines")
 
 local plays = {}
 
+local TITLES = { tutorial = "plain loop" } -- what docs/compare.md calls an engine
+
 --- The engines that can be found here, in the order of the columns: `name`, `title`, `engine`.
 function plays.engines()
   local found = {}
   for _, name in ipairs({ "ours", "love", "bump", "tutorial" }) do
     local engine = engines.get(name, love ~= nil and love.physics ~= nil)
     if engine then
-      found[#found + 1] = { name = name, title = engines.title(name), engine = engine }
+      local title = TITLES[name] or engines.title(name)
+      found[#found + 1] = { name = name, title = title, engine = engine }
     end
   end
   return found
@@ -40,10 +43,16 @@ function plays.new(scene, found)
   end
   local world = found.engine.new({
     gravity = scene.gravity,
+    soft = scene.soft,
     rest = true,
     objects = objects,
   })
-  return { scene = scene, world = world, place = place, notes = { x = 0 }, frame = 0 }
+  local play = { scene = scene, world = world, place = place, notes = { x = 0 }, frame = 0 }
+  play.objects = objects
+  if scene.prepare then
+    scene.prepare(play)
+  end
+  return play
 end
 
 --- Plays one step of dt s.
@@ -95,6 +104,19 @@ local function line(row)
   return "| " .. table.concat(row, " | ") .. " |"
 end
 
+-- The cell of a scene and an engine. `unit`: of a scene that is timed, the time of love.physics.
+local function cell(scene, each, unit)
+  local function show(value)
+    return unit and ("%.1f"):format(value / unit) or plays.show(value)
+  end
+  local parts = { show(plays.number(scene, each)) }
+  for _, cure in ipairs(scene.cures and scene.cures[each.name] or {}) do
+    local cured = setmetatable(cure, { __index = scene })
+    parts[#parts + 1] = ("%s with %s"):format(show(plays.number(cured, each)), cure.title)
+  end
+  return table.concat(parts, "; ")
+end
+
 --- Returns the table of all scenes and engines as Markdown.
 function plays.table(list)
   local found = plays.engines()
@@ -104,9 +126,12 @@ function plays.table(list)
   end
   local lines = { line(head), line(rule) }
   for _, scene in ipairs(list) do
-    local row = { scene.title, scene.unit }
+    local row, unit = { scene.title, scene.unit }, nil ---@type string[], number?
+    for _, each in ipairs(scene.isTimed and found or {}) do
+      unit = each.name == "love" and plays.number(scene, each) or unit
+    end
     for _, each in ipairs(found) do
-      row[#row + 1] = plays.show(plays.number(scene, each))
+      row[#row + 1] = cell(scene, each, unit)
     end
     lines[#lines + 1] = line(row)
   end

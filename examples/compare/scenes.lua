@@ -7,6 +7,10 @@
 --   push                  what a game writes in each frame: push(play, frame)
 --   look                  notes something after each step: look(play, frame)
 --   number                the result, from what was noted; a text is shown as it is
+--   isTimed               the number is a time: the table shows it beside that of love.physics
+--   soft                  groups that may overlap, for physics.lua
+--   cures                 how users play it: { engine = { title =, and what differs } }
+--   prepare               changes love.physics' world before the first step: prepare(play)
 --
 -- A play is { world =, engine =, objects =, notes = }.
 
@@ -30,12 +34,31 @@ local function box(x, y, size, more)
   return object
 end
 
+-- Puts a single line in the place of the tiles of love.physics, from the first to the last.
+local function layChain(play)
+  local bodies, objects = play.world.bodies, play.objects
+  local first, last = objects[2], objects[#objects]
+  for i = 2, #objects do
+    bodies[i]:setActive(false)
+  end
+  local body = love.physics.newBody(play.world.world, 0, 0, "static")
+  local right = last.x + last.width
+  local shape = love.physics.newChainShape(false, first.x, first.y, right, first.y)
+  love.physics.newFixture(body, shape):setFriction(0)
+end
+
 local function seams()
   local objects = tiles({ box(4, 182, 14) }, 200, 40, 12)
   return {
     name = "seams",
-    title = "A box runs over a row of tiles",
-    unit = "frames in which it was slower than half of its speed",
+    title = "a box runs over a row of tiles at 170 px/s",
+    unit = "frames at less than half speed, of 150",
+    cures = {
+      love = {
+        { title = "one chain shape", prepare = layChain },
+        { title = "round feet", objects = tiles({ box(4, 182, 14, { radius = 7 }) }, 200, 40, 12) },
+      },
+    },
     seconds = 2.5,
     gravity = 1200,
     objects = objects,
@@ -63,7 +86,7 @@ local function stack()
   end
   return {
     name = "stack",
-    title = "Eight boxes stand for ten seconds",
+    title = "eight boxes stand for ten seconds",
     unit = "px that the highest one is off its place",
     seconds = 10,
     gravity = 1200,
@@ -81,8 +104,8 @@ local FAST = 300 -- px/s
 local function lift()
   return {
     name = "lift",
-    title = "A lift starts down",
-    unit = "px of air between lift and rider",
+    title = "a lift starts down at 300 px/s",
+    unit = "px of air between lift and rider (here riders are held, by design)",
     seconds = 1,
     gravity = 600,
     objects = {
@@ -111,8 +134,8 @@ end
 local function bullet()
   return {
     name = "bullet",
-    title = "A bullet of 9000 px/s, a wall of 4 px",
-    unit = "stopped, or not",
+    title = "a bullet of 9000 px/s at a wall of 4 px",
+    unit = "stopped, or through",
     seconds = 1,
     gravity = 0,
     objects = {
@@ -138,7 +161,7 @@ local function doorway()
   end
   return {
     name = "doorway",
-    title = "Thirty enemies press through a door",
+    title = "thirty enemies press through a door",
     unit = "px of the deepest overlap",
     seconds = 8,
     gravity = 0,
@@ -174,8 +197,8 @@ local function bounce()
   local ball = #objects
   return {
     name = "bounce",
-    title = "A box bounces for twenty seconds",
-    unit = "px that its height has changed by",
+    title = "a box bounces for twenty seconds",
+    unit = "px that its height changes by",
     seconds = 20,
     gravity = 1200,
     objects = objects,
@@ -197,7 +220,7 @@ local function jump()
   local objects = tiles({ box(228, 176, 24) }, 200, 20, 24)
   return {
     name = "jump",
-    title = "The same jump at 30 and at 144 Hz",
+    title = "the same jump at 30 and at 144 Hz",
     unit = "px between them after half a second",
     seconds = 0.5,
     rates = { 30, 144 },
@@ -224,7 +247,7 @@ local function pyramid()
   local last = #objects
   return {
     name = "pyramid",
-    title = "A pyramid of 36 boxes stands for ten seconds",
+    title = "a pyramid of 36 boxes stands for ten seconds",
     unit = "px that the highest one moves",
     seconds = 10,
     gravity = 1200,
@@ -238,6 +261,48 @@ local function pyramid()
   }
 end
 
-scenes.list = { seams(), stack(), lift(), bullet(), doorway(), bounce(), jump(), pyramid() }
+local CROWD, ENEMY = 200, 8 -- enemies; px
+
+local function crowd()
+  local objects = {}
+  for i = 0, CROWD - 1 do
+    objects[#objects + 1] = box(20 + 22 * (i % 20), 10 + 22 * math.floor(i / 20), ENEMY)
+  end
+  return {
+    name = "crowd",
+    title = "200 enemies press to one place",
+    unit = "time of a step; that of love.physics is 1",
+    seconds = 10,
+    gravity = 0,
+    objects = objects,
+    isTimed = true,
+    cures = { ours = { { title = "`soft`", soft = { boxes = { boxes = 200 } } } } },
+    push = function(play, frame)
+      for i = 1, CROWD do
+        local x, y = play.world:read(i)
+        local dx, dy = 236 - x, 111 - y
+        local length = math.max(1, math.sqrt(dx * dx + dy * dy))
+        play.world:setVelocity(i, 60 * dx / length, 60 * dy / length)
+      end
+      play.notes.times = frame > 300 and play.notes.times or {} -- the crowd is there
+      play.notes.from = os.clock()
+    end,
+    look = function(play)
+      local times = play.notes.times
+      times[#times + 1] = 1000 * (os.clock() - play.notes.from)
+    end,
+    number = function(play) -- ms, the median
+      local times = {}
+      for i, time in ipairs(play.notes.times) do
+        times[i] = time
+      end
+      table.sort(times)
+      return times[math.ceil(#times / 2)] or 0
+    end,
+  }
+end
+
+scenes.list =
+  { seams(), stack(), lift(), bullet(), doorway(), pyramid(), bounce(), jump(), crowd() }
 
 return scenes

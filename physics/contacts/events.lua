@@ -205,8 +205,10 @@ local function checkCallback(b, owner, name)
   local callback = owner[name]
   if callback and type(callback) ~= "function" then
     local slot = b.slotOf[owner]
+    local record = slot and b.group[slot]
+    local key = record and (record.keys and record.keys[b.seat[slot]] or b.seat[slot])
     local place = owner == b.world and "world"
-      or slot and check.place(b.group[slot].name, not b.group[slot].direct and b.key[slot] or nil)
+      or record and check.place(record.name, not record.direct and key or nil)
       or "removed object"
     check.fail(place .. "." .. name .. " must be a function, got " .. check.show(callback))
   end

@@ -18,15 +18,15 @@ local allot = {}
 local floor, max, min, remove = math.floor, math.max, math.min, table.remove
 ---@type any, any
 local EVERY, BODY = layout.EVERY, layout.BODY
---- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
-allot.GROUP_SPAN = 4294967296
--- Slots are prepared ahead: for what is coming, and one for each so many that are in use.
-local AHEAD = 8
+-- Slots are prepared ahead: for what is coming, and so many.
+local AHEAD = 32
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
--- there is room for one in MORE of all of them on top.
-local ROOM, MORE = 8, 2
--- Places in the first array of a column.
-local FIRST = 16
+-- there is room for one in MORE of all of them on top. (What is in the way must move: with half of
+-- them on top, one frame of a level of 20 000 tiles takes 9 ms.)
+local ROOM, MORE = 8, 16
+-- Places in the first array of a column, and by how much one grows. An array has more places than
+-- are needed now: else each frame in which a level gets a few slots more would copy all columns.
+local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
 -- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
 -- their counts. Nothing else may: all else asks `embody` for a slot that stays.
 local KEEPERS = { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored" }
@@ -47,7 +47,7 @@ function allot.reserve(b, rows, last)
   if last < old then
     return
   end
-  local count = max(last + 1, FIRST, 2 * old) ---@type number
+  local count = floor(max(last * SPARE + 1, FIRST, GROWTH * old)) ---@type number
   for n = 1, #rows.names do
     local name, width = rows.names[n], rows.widths[n]
     b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
@@ -118,7 +118,7 @@ local function takePlace(b, coming)
   else
     i = b.slots + 1
     b.slots = i
-    prepare(b, i > b.blankTo and max(i + coming - 1, i + floor(i / AHEAD)) or i)
+    prepare(b, i > b.blankTo and max(i + coming - 1, min(2 * i, i + AHEAD)) or i)
   end
   return i
 end
@@ -130,7 +130,7 @@ local function takeBody(b, coming)
   if not i then
     i = b.lastUsed + 1
     b.lastUsed, b.slots = i, max(b.slots, i)
-    last = max(i + coming - 1, i + floor(i / AHEAD))
+    last = max(i + coming - 1, min(2 * i, i + AHEAD))
     last = i > b.bodyBlankTo and min(last, b.lastBody) or i - 1
     b.bodyBlankTo = max(b.bodyBlankTo, last)
     b.blankTo = max(b.blankTo, last)
@@ -167,12 +167,14 @@ local function moveNoted(b)
   for n = 1, #EVERY.names do
     copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, b.leftCount)
   end
+  renameIn(movedTo, b.registry.gone, b.registry.goneCount)
   for n = 1, #KEEPERS do
     renameIn(movedTo, b[KEEPERS[n]], b[COUNTS[n]] or #b[KEEPERS[n]])
   end
   for n = 1, b.leftCount do
     local i, j = left[n], movedTo[left[n]]
-    b.slotOf[b.object[j]], b.group[j].slots[b.rank[j] % allot.GROUP_SPAN] = j, j
+    local slots = b.group[j] and b.group[j].slots or {} -- (what has gone is in none)
+    b.slotOf[b.object[j]], slots[b.seat[j]] = j, j
     if b.placed[j] ~= 0 then
       b.broadphase:remove(i)
       b.broadphase:insert(j)

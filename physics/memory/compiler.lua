@@ -30,7 +30,6 @@ compiler.INTERPRETED = {
   ["objects.registry"] = "forgetGiven find",
   ["objects.shift"] = "run",
   ["queries.move"] = "finish",
-  ["queries.near"] = "readGroups",
   ["state.hash"] = "measure",
   ["state.format"] = "isPlain",
   ["state.restore"] = "clear place",

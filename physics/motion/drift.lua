@@ -212,7 +212,7 @@ end
 
 -- Returns a way in which two at one place part.
 local function wayOf(b, i, j)
-  local at = (b.rank[i] + b.rank[j]) % #WAYS_X + 1
+  local at = (b.seat[i] + b.seat[j]) % #WAYS_X + 1
   local sign = b.rank[i] < b.rank[j] and 1 or -1
   return WAYS_X[at] * sign * NEAREST, WAYS_Y[at] * sign * NEAREST
 end

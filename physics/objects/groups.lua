@@ -15,7 +15,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
-local max, min = math.max, math.min
+local huge, max, min = math.huge, math.max, math.min
 
 local FEW = 64 -- groups up to this size are counted each time
 
@@ -35,6 +35,8 @@ local function newRecord(name, source)
     changedCount = 0,
     found = {}, -- the slots of those objects,
     foundCount = 0,
+    looked = {}, -- by place: a look has taken it over since the last update (see registry)
+    firstLooked = huge, -- the first one
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     isPlain = true, -- none of its objects has a metatable
@@ -145,13 +147,14 @@ local function readKeys(record, n)
 end
 
 -- Lists the places that hold another object than before; all if what was there has another place or
--- key now.
-local function listChanges(record, isAll, first)
+-- key now. For an update, also those that a look has taken over.
+local function listChanges(record, isAll, first, isLook)
   local source, list, changed, count = record.source, record.list, record.changed, 0
+  local looked = record.looked
   record.foundCount = 0
   isAll = isAll or record.keys or record.newKeys or record.direct
   for n = isAll and 1 or first, max(record.count, record.newCount) do
-    if isAll or not rawequal(source[n], list[n]) then
+    if isAll or not rawequal(source[n], list[n]) or looked[n] and not isLook then
       count = count + 1
       changed[count], record.foundCount = n, n <= record.newCount and count or record.foundCount
     end
@@ -194,15 +197,18 @@ end
 
 --- Compares the groups with what was read last. Returns whether anything has changed. (A group with
 --- another place gets other ranks, so all of it is read.)
-function groups.compareAll(records)
+function groups.compareAll(records, isLook)
   local isAny = false
   for index, record in ipairs(records) do
     local isOther = record.index ~= index
     local change = isOther and 1 or groups.firstChange(record)
+    if not isLook and record.firstLooked < (change or huge) then
+      change = record.firstLooked
+    end
     record.changedCount, record.newKeys, record.newCount = 0, record.keys, record.count
     if change then
       readKeys(record, record.keys and 1 or change)
-      listChanges(record, isOther, change)
+      listChanges(record, isOther, change, isLook)
       isAny = true
     end
   end

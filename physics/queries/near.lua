@@ -1,25 +1,28 @@
 ---@diagnostic disable
 --- Finds the objects near a place or a line, as the game's tables are now, not as the last step
---- left them. It changes nothing: what the game writes and takes back before the next update has
+--- left them. It changes no result: what the game writes and takes back before the next update has
 --- never happened.
 --
--- It asks the grid of the world. Objects that the game has moved out of their fat boxes since the
--- last step (*strays*) are found by comparing the tables with what was written to them, and those
--- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace,
--- so each query compares all that moves. Groups in which nothing moves are compared by the first
--- query after an update, `add`, `remove` or `refresh`. With more than `FEW` movers, only that query
--- compares anything. What has changed is noted in the *view* of the world. What is found becomes a
--- *catch*: columns by place in it. What a query keeps of that becomes its list.
+-- It asks the grid of the world, in which everything has a *fat box* around its place. A query
+-- first takes over what has come and gone (see objects/registry), without reading it. Then it
+-- enlarges the fat boxes of what the game has moved out of them: a larger one is looked up anew by
+-- the next step, and changes no result. So the grid knows all objects.
 --
--- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
+-- A write leaves no trace, so each query compares all that moves. Groups of many objects of which
+-- none moves are compared by the first query after an update, `add`, `remove` or `refresh`. With
+-- more than `FEW` movers, only that query compares anything. What is found becomes a *catch*:
+-- columns by place in it. What a query keeps of that becomes its list.
+--
+-- Reads the grid, and position, size and filter of static objects; writes fat boxes and the grid.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local allot = require(root .. ".memory.allot")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
 local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
+local read = require(root .. ".objects.read")
 local registry = require(root .. ".objects.registry")
+local settings = require(root .. ".objects.settings")
 local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
 
@@ -29,18 +32,16 @@ local max, min, remove = math.max, math.min, table.remove
 local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 -- So many objects are compared in a few microseconds.
 local FEW = 1000
+local MARGIN = 1 -- of a fat box, px
 -- Numbers with a sum up to this are all in range.
 local MOST = 1e99
 local MISSED = " was moved after this frame's first query. With more than "
   .. FEW
   .. " moving objects, call world:refresh(object) so that later queries see it"
 local COLUMNS = {
-  "slot", -- 0: a guest
   "object",
   "rank",
-  "group", -- the record of it, in `objects/registry`
   "groupName",
-  "key",
   "kind",
   "shape",
   "position", -- two values, as in `memory/layout`
@@ -53,53 +54,11 @@ local COLUMNS = {
   "entry", -- scratch of queries
 }
 
-local function newView()
-  return {
-    isFresh = false, -- all was compared since the last step or change
-    registry = false, -- the groups as they were seen last: those of the world, or later ones
-    rankOf = false, -- by object, if they are later ones; recordOf and keyOf as well
-    guests = {}, -- objects
-    strays = {}, -- slots
-    strayAt = {}, -- by slot: `looks` when it was one
-    looks = 0,
-    pool = {}, -- of catches
-  }
-end
-
 -- What the game has changed -----------------------------------------------------------------------
 
--- Reads the groups as the next update will. Errors: those of an update.
-local function readGroups(v, world)
-  local b = world._bodies
-  check.setting("order", world.order)
-  local seen = registry.look(b, world.objects, world.order or {})
-  v.rankOf, v.recordOf, v.keyOf, v.guestCount = {}, {}, {}, 0
-  for index, record in ipairs(seen.groups) do
-    for n = 1, record.count do
-      local object = record.list[n]
-      v.rankOf[object], v.recordOf[object] = index * allot.GROUP_SPAN + n, record
-      v.keyOf[object] = record.keys and record.keys[n] or n
-      if not b.slotOf[object] then
-        v.guestCount = v.guestCount + 1
-        v.guests[v.guestCount] = object
-      end
-    end
-  end
-  v.registry, v.order = seen, world.order
-end
-
--- Lists the guests, if the game has changed its groups.
-local function lookAtGroups(v, world)
-  if not v.registry then
-    v.registry, v.order, v.rankOf, v.guestCount = world._bodies.registry, world.order, false, 0
-  end
-  if world.order ~= v.order or registry.hasChanged(v.registry, world.objects, v.isFresh) then
-    readGroups(v, world)
-  end
-end
-
 -- Errors: an object of which place, size or `active` cannot be used.
-local function checkPlace(object, record, key)
+local function checkPlace(b, i)
+  local object = b.object[i]
   local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
   if
     type(x) ~= "number"
@@ -109,27 +68,72 @@ local function checkPlace(object, record, key)
     or not (max(x, -x) + max(y, -y) + width + height <= MOST and min(width, height) > 0)
     or (active ~= nil and type(active) ~= "boolean")
   then
-    check.object(object, registry.place, record, key)
+    check.object(object, registry.placeOf, b, i)
   end
 end
 
--- Notes slot i as a stray, if the grid does not know where it is now.
-local function noteStray(v, b, i)
+-- Returns whether slot i is in the grid, with a fat box around the place where it is now, or need
+-- not be. Errors: its place cannot be used.
+local function isFiled(b, i)
   local object, k, fatLow, fatHigh = b.object[i], 2 * i, b.fatLow, b.fatHigh
-  checkPlace(object, b.group[i], b.key[i])
-  local isKnown = b.placed[i] ~= 0
-    and object.x >= fatLow[k]
-    and object.y >= fatLow[k + 1]
-    and object.x + object.width <= fatHigh[k]
-    and object.y + object.height <= fatHigh[k + 1]
-  if not isKnown and object.active ~= false and v.strayAt[i] ~= v.looks then
-    v.strayAt[i], v.strayCount = v.looks, v.strayCount + 1
-    v.strays[v.strayCount] = i
+  if not b.group[i] then
+    return true -- it has gone
+  end
+  checkPlace(b, i)
+  return object.active == false
+    or b.placed[i] ~= 0
+      and object.x >= fatLow[k]
+      and object.y >= fatLow[k + 1]
+      and object.x + object.width <= fatHigh[k]
+      and object.y + object.height <= fatHigh[k + 1]
+end
+
+-- Puts slot i into the grid where it is now, if it is not there.
+local function file(b, i)
+  if isFiled(b, i) then
+    return
+  end
+  local object, k, m, fatLow, fatHigh = b.object[i], 2 * i, 2 * i + 1, b.fatLow, b.fatHigh
+  local left, top = object.x - MARGIN, object.y - MARGIN
+  local right, bottom = object.x + object.width + MARGIN, object.y + object.height + MARGIN
+  if b.placed[i] == 0 then
+    fatLow[k], fatLow[m], fatHigh[k], fatHigh[m] = left, top, right, bottom
+    b.broadphase:insert(i)
+  else
+    fatLow[k], fatLow[m] = min(fatLow[k], left), min(fatLow[m], top)
+    fatHigh[k], fatHigh[m] = max(fatHigh[k], right), max(fatHigh[m], bottom)
+    b.broadphase:update(i)
+  end
+  b.placed[i] = 1
+end
+
+-- Takes over new groups, and what is in them. What stands still is filed here.
+local function lookAtGroups(b, world)
+  local v = b.view
+  settings.applyOrder(world)
+  if v.isFresh and not registry.hasChanged(b.registry, world.objects) then
+    return
+  end
+  read.look(b, world.objects)
+  v.isFresh, v.guestCount = true, 0
+  for n = 1, b.enteredCount do
+    local i = b.entered[n]
+    if b.group[i] and not b.object[i].static then
+      v.guestCount = v.guestCount + 1
+      v.guests[v.guestCount] = i
+    elseif b.group[i] then
+      file(b, i)
+    end
+  end
+  for n = 1, b.movedCount do -- static ones that were read again, too
+    if b.object[b.movedList[n]] then
+      file(b, b.movedList[n])
+    end
   end
 end
 
--- Lists in `strays` what the grid does not know. What stands where it was read or written is known.
-local function lookAtPlaces(v, b)
+-- Calls `visit(b, i)` for what can move and does not stand where it was read or written.
+local function lookAtPlaces(b, visit)
   local movers, objects, written, size, placed = b.movers, b.object, b.written, b.size, b.placed
   for n = 1, b.moverCount do
     local i = movers[n]
@@ -144,23 +148,18 @@ local function lookAtPlaces(v, b)
         or placed[i] == 0
       )
     then
-      noteStray(v, b, i)
+      visit(b, i)
     end
   end
-  for n = 1, b.movedCount do -- static ones that were read again, too
-    if b.object[b.movedList[n]] then
-      noteStray(v, b, b.movedList[n])
-    end
+  for n = 1, b.view.guestCount do
+    visit(b, b.view.guests[n])
   end
 end
 
--- Errors: something has become a stray that queries of a large world do not see.
-local function checkMissed(v, b)
-  local known = v.strayCount
-  lookAtPlaces(v, b)
-  if v.strayCount > known then
-    local where = registry.placeOf(b, v.strays[v.strayCount])
-    check.fail(where .. MISSED)
+-- Errors: something has been moved to where queries of a large world do not see it.
+local function checkMissed(b, i)
+  if not isFiled(b, i) then
+    check.fail(registry.placeOf(b, i) .. MISSED)
   end
 end
 
@@ -168,14 +167,13 @@ end
 --- Errors: those of an update, a group, key or place that cannot be used.
 function near.begin(world, wanted)
   local b = world._bodies
-  local v = b.view or newView()
-  b.view = v
-  if not v.isFresh or b.moverCount <= FEW then
-    lookAtGroups(v, world)
-    v.isFresh, v.looks, v.strayCount = true, v.looks + 1, 0
-    lookAtPlaces(v, b)
-  elseif world.checked then
-    checkMissed(v, b)
+  local v = b.view
+  local isInside = b.asking -- of a step, which has read all
+  if not isInside and (not v.isFresh or b.moverCount <= FEW) then
+    lookAtGroups(b, world)
+    lookAtPlaces(b, file)
+  elseif world.checked and not isInside then
+    lookAtPlaces(b, checkMissed)
   end
   local c = remove(v.pool)
   if not c then
@@ -196,27 +194,20 @@ function near.finish(c)
   pool[#pool + 1] = c
 end
 
---- Notes that the library has moved an object of a catch: in a large world no query would see it.
+--- Notes that the library has moved an object: in a large world no query would see it.
 function near.noteMoved(c, n)
-  if c.slot[n] ~= 0 then
-    noteStray(c.view, c.bodies, c.slot[n])
-  end
+  file(c.bodies, c.bodies.slotOf[c.object[n]])
 end
 
 -- Catches -----------------------------------------------------------------------------------------
 
--- Adds an object to a catch; returns its place there. Of a guest, the slot is 0.
-local function add(c, object, i)
-  local b, v, n = c.bodies, c.view, c.count + 1
-  c.count, c.slot[n], c.object[n] = n, i, object
-  if v.rankOf then
-    c.group[n], c.key[n], c.rank[n] = v.recordOf[object], v.keyOf[object], v.rankOf[object]
-  else
-    c.group[n], c.key[n], c.rank[n] = b.group[i], b.key[i], b.rank[i]
-  end
-  c.groupName[n] = c.group[n].name
-  local k, m, kind = 2 * n, 2 * i, STATIC
-  if i ~= 0 and b.kind[i] == STATIC then
+-- Adds slot i to a catch; returns its place there.
+local function add(c, i)
+  local b, n = c.bodies, c.count + 1
+  local object, k, m, kind = b.object[i], 2 * n, 2 * i, STATIC
+  c.count, c.object[n], c.groupName[n], c.rank[n] =
+    n, object, b.groupName[i], registry.orderOf(b, i)
+  if b.kind[i] == STATIC then
     c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
     c.size[k], c.size[k + 1], c.shape[n] = b.size[m], b.size[m + 1], b.shape[i]
   else
@@ -230,42 +221,11 @@ local function add(c, object, i)
   return n
 end
 
--- Adds slot i, if it is active and still in the world, and no stray.
+-- Adds slot i, if it is active and still in the world.
 local function addSlot(c, i)
-  local b, v = c.bodies, c.view
-  local object, rankOf = b.object[i], v.rankOf
-  local isActive = b.kind[i] == STATIC and b.active[i] or object.active ~= false
-  if isActive and v.strayAt[i] ~= v.looks and (not rankOf or rankOf[object]) then
-    return add(c, object, i)
-  end
-end
-
--- Adds a stray or guest that is in a rectangle, or at its edge.
-local function addUnfiled(c, object, i, left, top, right, bottom)
-  local rankOf = c.view.rankOf
-  if
-    object.active ~= false
-    and (not rankOf or rankOf[object])
-    and object.x <= right
-    and object.y <= bottom
-    and object.x + object.width >= left
-    and object.y + object.height >= top
-  then
-    add(c, object, i)
-  end
-end
-
--- Adds all strays and guests in a rectangle.
-local function addAllUnfiled(c, left, top, right, bottom)
-  local v, objects = c.view, c.bodies.object
-  for m = 1, v.strayCount do
-    addUnfiled(c, objects[v.strays[m]], v.strays[m], left, top, right, bottom)
-  end
-  for m = 1, v.guestCount do
-    local object = v.guests[m]
-    checkPlace(object, v.recordOf[object], v.keyOf[object])
-    addUnfiled(c, object, 0, left, top, right, bottom)
-  end
+  local b = c.bodies
+  local isActive = b.kind[i] == STATIC and b.active[i] or b.object[i].active ~= false
+  return isActive and b.group[i] and add(c, i)
 end
 
 --- Adds all objects to a catch that may be in a rectangle.
@@ -274,34 +234,29 @@ function near.rectangle(c, left, top, right, bottom)
   for m = 1, c.bodies.broadphase:query(left, top, right, bottom, slots) do
     addSlot(c, slots[m])
   end
-  addAllUnfiled(c, left, top, right, bottom)
 end
 
 -- Adds an object that is on the way of a line, and asks how far it goes on.
 local function visitSlot(c, i, bound)
   local n = addSlot(c, i)
-  return n and c.visit(c, n, bound) or bound
+  return n and c.visit and c.visit(c, n, bound) or bound
 end
 
 --- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of
 --- them and returns the share of the line after which nothing matters (see broadphase/gridLines).
 function near.line(c, x1, y1, x2, y2, visit)
-  local bound = 1
-  addAllUnfiled(c, min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2))
-  for n = 1, c.count do
+  local isLater, bound = type(c.filter) == "function", 1 -- (that may do anything, also to the grid)
+  c.visit = not isLater and visit
+  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+  for n = 1, isLater and c.count or 0 do
     bound = visit(c, n, bound)
   end
-  c.visit = visit
-  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
 end
 
 --- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world.
 function near.find(c, object)
-  local i, rankOf = c.bodies.slotOf[object], c.view.rankOf
-  if rankOf and rankOf[object] == nil or not (rankOf or i) then
-    return nil
-  end
-  return add(c, object, i or 0)
+  local i = c.bodies.slotOf[object]
+  return i and c.bodies.group[i] and add(c, i) or nil
 end
 
 --- Does the same. Errors: the object is not in the world; `name` is that of the argument.
@@ -315,13 +270,14 @@ end
 
 --- Reads what decides what an object of a catch can meet. Errors: a field that cannot be used.
 function near.readFilter(c, n)
-  local b, object, i = c.bodies, c.object[n], c.slot[n]
-  if c.kind[n] == STATIC and i ~= 0 then
+  local b, object = c.bodies, c.object[n]
+  local i = b.slotOf[object]
+  if b.kind[i] == STATIC then
     c.active[n], c.sensor[n], c.oneWay[n] = b.active[i], b.sensor[i], b.oneWay[i]
     c.mask[n], c.hitsOnly[n] = b.mask[i], b.hitsOnly[i]
     return
   end
-  check.object(object, registry.place, c.group[n], c.key[n])
+  check.object(object, registry.placeOf, b, i)
   c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
   c.oneWay[n], c.mask[n] = constants.sideOf(object.oneWay), object.mask or false
   c.hitsOnly[n] = object.hits and filter.readHits(b, object.hits) or false

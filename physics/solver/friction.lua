@@ -179,6 +179,7 @@ function friction.run(b, axis, dt)
   if b.pulledCount == 0 and held.count == 0 then
     return false
   end
+  local isGlued = false
   for attempt = 1, ATTEMPTS do
     for c = 1, rubbed.count do -- notes of an earlier attempt may be wrong now
       b.pressed[rubbed.pair[c]] = 0
@@ -186,12 +187,15 @@ function friction.run(b, axis, dt)
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
     settle.hold(b, other, dt)
-    local isGlued = bonds.glue(b, held, dt)
+    isGlued = bonds.glue(b, held, dt)
     settle.finish(b, other, dt, isGlued, false)
     local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end
+  end
+  if isGlued then
+    bonds.release(b, rubbed, held)
   end
   return true
 end

@@ -18,11 +18,8 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bounds = require(root .. ".memory.lazy")(root .. ".solver.bounds")
 local clip = require(root .. ".memory.lazy")(root .. ".solver.clip")
-local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
-local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
-local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local friction = require(root .. ".memory.lazy")(root .. ".solver.friction")
 local impact = require(root .. ".memory.lazy")(root .. ".solver.impact")
 local islands = require(root .. ".sleep.islands")
@@ -30,7 +27,6 @@ local links = require(root .. ".memory.links")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local path = require(root .. ".motion.path")
 local rounds = require(root .. ".solver.rounds")
 local slant = require(root .. ".memory.lazy")(root .. ".solver.slant")
 local settle = require(root .. ".solver.settle")
@@ -40,7 +36,6 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local solver = {}
 
-local DYNAMIC = constants.DYNAMIC
 local floor, max = math.floor, math.max
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
@@ -61,40 +56,13 @@ function solver.adopt(b)
   b.slants = { count = 0 }
 end
 
--- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
-local function begin(b, dt)
-  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
-  local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
-  local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local accel, changed = b.accel, b.changed
+-- Lists all awake bodies: their paths are new.
+local function begin(b)
+  local list, changed, dirty, impactsOf = b.awakeList, b.changed, b.dirty, b.impactsOf
   b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
   for n = 1, b.awakeCount do
     local i = list[n]
-    local x, y = b.velocity[2 * i], b.velocity[2 * i + 1]
-    changed[n], dirty[i], b.impactsOf[i] = i, b.dirtyStamp, 0
-    if not b.isFree[i] then
-      x, y = forces.limit(b, i, x, y)
-    end
-    for k = 2 * i, 2 * i + 1 do
-      if buried[i] then
-        path.finish(b, k, from[k], 0.0, 0.0)
-      elseif b.crowd[2 * i] > 0 and speed[k] * b.down[k] > 0 then -- a crowd does not fall
-        b.displacement[k] = 0.0
-        path.finish(b, k, from[k], b.carried[k], 0.0)
-      end
-      origin[k] = from[k]
-      give[k] = not buried[i] and inverseMass[i] or 0
-      freeSpeed[k] = speed[k]
-      if kind[i] == DYNAMIC then
-        start[k] = (k % 2 == 0 and x or y) + b.carried[k]
-        accel[k] = (freeSpeed[k] - start[k]) / dt
-      else
-        start[k] = speed[k]
-      end
-    end
-  end
-  if b.driftedCount > 0 then
-    drift.start(b, dt)
+    changed[n], dirty[i], impactsOf[i] = i, b.dirtyStamp, 0
   end
 end
 
@@ -161,7 +129,7 @@ end
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
   b.blockedCount = 0
-  begin(b, dt)
+  begin(b)
   flow.begin(b)
   pairFinder.listLive(b)
   if b.walks then

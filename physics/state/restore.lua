@@ -99,11 +99,30 @@ local function write(owner, row, value, isShared)
   end
 end
 
--- Writes a field of all objects. Those that had left the world get the fields that they had.
-local function writeField(st, objects, row)
+-- Lists the numbers of the objects that are no mere tiles, or will be none.
+local function listSome(st, objects)
+  local has, some = {}, {}
+  for _, row in format.rows(st) do
+    local list = not format.isOfAll(row) and st.fields[row.name] or NONE
+    for at = 1, #list, 2 do
+      has[list[at]] = true
+    end
+  end
+  for n = 1, st.count + st.gone do
+    if has[n] or not check.isMere(objects[n]) then
+      some[#some + 1] = n
+    end
+  end
+  return some
+end
+
+-- Writes a field of all objects, or of those in `some`. What had left the world gets the fields it
+-- had then.
+local function writeField(st, objects, row, some)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
   local isDense = format.isDense(row)
-  for n = 1, st.count + (row.isOwn and 0 or st.gone) do
+  for m = 1, some and #some or st.count + (row.isOwn and 0 or st.gone) do
+    local n = some and some[m] or m
     local object, value = objects[n], nil
     if isDense then
       value = list[n] or nil
@@ -196,11 +215,8 @@ local function restoreColumn(b, list, slots, entry)
   if hint then
     b[hint] = b[hint] or #list > 0
   end
-  for n = 1, #slots do
-    local k = width * slots[n]
-    if slots[n] <= last then -- else it is static, and has no place there
-      column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
-    end
+  for k = width, width * last, width do
+    column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
   end
   for at = 1, #list, 1 + width do
     local value = entry.isLink and allot.embody(b, slots[list[at + 1]]) or list[at + 1]
@@ -288,8 +304,9 @@ function restore.world(world, st)
   local objects, sentence = match(world, st)
   forget(b)
   restoreSettings(world, st.settings)
+  local some = listSome(st, objects)
   for _, row in format.rows(st) do
-    writeField(st, objects, row)
+    writeField(st, objects, row, not format.isOfAll(row) and some)
   end
   place(world, st, objects)
   readKnown(b, st, objects)

@@ -1,9 +1,9 @@
 --- The scenes of the pictures of docs/guide/: each function builds a world, plays it for some steps
---- and draws it into a window of 720 x 300 px.
+--- and draws it into a window of 720 x 300 px. Those of docs/kit.md are in kit.lua.
 
 local physics = require("physics")
 
-local scenes = {}
+local scenes = require("scripts.pictures.kit")
 
 local DT = 1 / 60
 local WORDS = { 0.78, 0.8, 0.85 }

@@ -96,7 +96,7 @@ local function playCallbacks(environment)
     { "keyreleased", { "space" } },
   }
   if environment.love.load then
-    environment.love.load()
+    environment.love.load({})
   end
   for _ = 1, 3 do
     for _, call in ipairs(calls) do

@@ -6,8 +6,9 @@ local README = files.read("examples/README.md")
 
 -- Adds the names of the files of examples/ that one of them requires, and those require.
 local function addRequired(name, found)
-  for other in files.read("examples/" .. name .. ".lua"):gmatch('require%("([%w_]+)"%)') do
-    if other ~= "physics" and not found[other] then
+  for other in files.read("examples/" .. name .. ".lua"):gmatch('require%("([%w_.]+)"%)') do
+    other = other:gsub("%.", "/")
+    if other ~= "physics" and other ~= "enet" and not found[other] then
       found[other] = true
       addRequired(other, found)
     end
@@ -23,7 +24,9 @@ for name in files.read("examples/menu.lua"):gmatch('{ name = "(%w+)", title = ')
       local row = README:match("\n| %[" .. name .. "%.lua%]%(" .. name .. "%.lua%) |[^\n]*")
       assert.truthy(row, "there is no row")
       for other in pairs(addRequired(name, {})) do
-        assert.truthy(row:find("`" .. other .. ".lua`", 1, true), other .. ".lua is not named")
+        local folder = "`" .. (other:match("^.*/") or "?") .. "`"
+        local isNamed = row:find("`" .. other .. ".lua`", 1, true) or row:find(folder, 1, true)
+        assert.truthy(isNamed, other .. ".lua is not named")
       end
     end)
   end)

@@ -5,6 +5,20 @@ local physics = require("physics")
 
 local snippets = {}
 
+-- The network of LÖVE, without another player.
+package.preload.enet = function()
+  local function nothing() end
+  local host = { service = nothing, flush = nothing }
+  function host.connect()
+    return { timeout = nothing }
+  end
+  return {
+    host_create = function()
+      return host
+    end,
+  }
+end
+
 snippets.read = require("spec.support.files").read
 
 --- Compiles a text with an environment of its own.
@@ -67,7 +81,10 @@ function snippets.newEnvironment(printed, held)
     printed[#printed + 1] = table.concat(texts, " ")
   end
   function environment.require(name)
-    return name == "dkjson" and { decode = ldtk.cave } or require(name)
+    if name == "dkjson" then
+      return { decode = ldtk.cave }
+    end
+    return require(name:find("^kit%.") and "examples." .. name or name)
   end
   world:update(1 / 60)
   return setmetatable(environment, { __index = _G })

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from urllib.parse import quote
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -37,7 +38,7 @@ MENU = [
     ("Start", ["index.md"]),
     ("Guide", [
         "guide/index.md",
-        ("Learn", ["platformers.md", "topdown.md", "recipes.md"]),
+        ("Learn", ["recipes.md", "platformers.md", "topdown.md", "kit.md", "online.md"]),
         ("Ideas", ["guide/*", "events.md", "state.md"]),
         ("Around it", ["maps.md", "guide/files.md", "guide/sprites.md", "guide/input.md", "guide/debugging.md"]),
     ]),
@@ -47,13 +48,14 @@ MENU = [
         "api.md", "api/fields.md", "api/settings.md", "api/world.md", "api/queries.md", "api/maps.md", "api/types.md",
     ]),
     ("More", [
-        "compare.md", "faq.md", "coming-from.md", "where-it-runs.md", "performance.md", "reliability.md", "size.md",
+        "compare.md", "faq.md", "where-it-runs.md", "coming-from.md", "performance.md", "reliability.md", "size.md",
         ("For developers", ["architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md"]),
     ]),
 ]
 DEVELOPERS = MENU[-1][1][-1][1]
 
-# What readers search, and the section does not call so. Each is a result of the search of its own.
+# What readers search, and the section does not call so. Each is a result of the search of its own. A section
+# is the first one with an anchor that begins so; the words of a page without "#" are those of all of it.
 WORDS = {
     "faq.md": ["Ragdoll", "Joint", "Hinge", "Rope", "Chain"],
     "faq.md#why-does-my-player-stick-to-walls": ["Stuck", "Stick", "Cling"],
@@ -66,7 +68,7 @@ WORDS = {
     "guide/steps.md": ["Delta time", "deltaTime"],
     "index.md#install": ["License", "Licence"],
     "platformers.md#slopes": ["Steep slope", "Max slope angle", "floor_max_angle"],
-    "platformers.md#step-5-coyote-time-and-jump-buffer": ["Buffered jump"],
+    "platformers.md#step-5": ["Buffered jump"],
     "recipes.md#camera": ["Screen shake"],
     "recipes.md#knock-back": ["Knockback", "Hitstun", "Stun"],
     "recipes.md#pause-and-slow-motion": ["Slow motion", "Bullet time", "Time scale"],
@@ -85,7 +87,7 @@ EXAMPLE = """\
 <div class="example" data-example="{name}" data-keys="{keys}">
 <button type="button"><img src="../../pictures/{name}.png" alt="{title}"><span>▶ Play</span></button>
 </div>
-<p class="try-links"><a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a></p>
+<p class="try-links"><a href="../../play/?example={name}&amp;keys={quoted}" target="_blank">Open it in a window of its own</a></p>
 
 {comment}
 
@@ -240,7 +242,9 @@ def add_words(markdown, page):
     lines, found = [], []
     for line, is_code in split_code(markdown):
         heading = not is_code and re.match(r"(#+ )(.*)", line)
-        for word in wanted.pop(slug(heading[2]) if heading[1] != "# " else "", []) if heading else []:
+        title = slug(heading[2]) if heading and heading[1] != "# " else ""
+        place = next((place for place in wanted if heading and (title.startswith(place) if place else not title)), None)
+        for word in wanted.pop(place, []):
             anchor = f"search-{slug(word)}"
             line = line.replace(heading[1], f'{heading[1]}<a id="{anchor}"></a>', 1)
             found.append((f"{re.sub('(^|/)index$', '', page[:-3]) + '/'}#{anchor}".lstrip("/"), word))
@@ -250,12 +254,15 @@ def add_words(markdown, page):
     return "\n".join(lines), found
 
 
-FIELDS = re.compile(r"^\| name \| value \| default \| meaning \|\n(?:\|.*\n)+", re.MULTILINE)
+CARDS = {"fields": "name | value | default | meaning", "engines": "scene | counts | physics.lua"}
 
 
-def mark_fields(markdown):
-    """Marks the tables of fields, whose rows become cards on a phone."""
-    return FIELDS.sub(lambda table: f'<div class="fields" markdown>\n\n{table[0]}\n</div>\n', markdown)
+def mark_tables(markdown):
+    """Marks the tables that a phone is too narrow for: their rows become cards there."""
+    for name, titles in CARDS.items():
+        table = re.compile(rf"^\| {re.escape(titles)} \|.*\n(?:\|.*\n)+", re.MULTILINE)
+        markdown = table.sub(lambda found: f'<div class="cards {name}" markdown>\n\n{found[0]}\n</div>\n', markdown)
+    return markdown
 
 
 def describe(markdown):
@@ -419,7 +426,7 @@ def write_examples(write):
             fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
         source = read(f"examples/{name}.lua").rstrip()
         folder = translate("[examples](examples)", "README.md")
-        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "beside": beside(name), "folder": folder}
+        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "quoted": quote(keys_of(name)), "beside": beside(name), "folder": folder}
         comment = head_comment(source) + (lessons() if name == "tutorial" else "")
         write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
         cards.append(CARD.format(**values))
@@ -481,7 +488,7 @@ def main():
     def write(name, text):
         pages.append(name)
         (target / "docs" / name).parent.mkdir(parents=True, exist_ok=True)
-        text, found = add_words(mark_fields(text), name)
+        text, found = add_words(mark_tables(text), name)
         words.extend(found)
         (target / "docs" / name).write_text(head(name, text) + text, encoding="utf-8")
 

@@ -249,6 +249,15 @@ async function checkFields() {
     await close();
     return `${boxes.length} fields`;
   });
+  await check("on a phone the page Compare shows the numbers of all engines", async () => {
+    const { page, close } = await open("/compare/", PHONE);
+    const cells = page.locator(".engines td");
+    const boxes = await cells.evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+    assert(boxes.length > 40 && boxes.every(({ left, right }) => left >= 0 && right <= PHONE.viewport.width), boxes.length);
+    await cells.first().scrollIntoViewIfNeeded();
+    await page.screenshot({ path: join(PICTURES, "compare-phone.png") });
+    await close();
+  });
 }
 
 async function checkLost() {
@@ -463,6 +472,19 @@ async function checkExamples() {
   });
   // All are started by web/test.mjs, which plays them.
   await checkExample(names[0]);
+  await check("on a phone an example has the buttons that it needs, in its page and in a window of its own", async () => {
+    const told = await open("/examples/platformer/?say&example=platformer", SHARP_PHONE);
+    await line(told, /^example platformer started$/);
+    const inside = await told.page.frameLocator("iframe").locator("#pad button").allInnerTexts();
+    const address = await told.page.getByRole("link", { name: "window of its own" }).getAttribute("href");
+    await told.page.goto(new URL(`${address}&say`, told.page.url()).href);
+    await line(told, /^example platformer started$/, told.lines.length);
+    const alone = await told.page.locator("#pad button").allInnerTexts();
+    await told.page.screenshot({ path: join(PICTURES, "example-phone.png") });
+    await told.close();
+    quiet(told);
+    assert(inside.join() === "←,→,jump" && alone.join() === "←,→,jump", `${inside}; ${alone}`);
+  });
   await check("an address with ?example=lifts starts it", async () => {
     const told = await open("/examples/lifts/?say&example=lifts", DESKTOP);
     await line(told, /^example lifts started$/);

@@ -1,0 +1,171 @@
+---@diagnostic disable
+--- Together: lets round bodies that meet at one moment bounce off each other at once.
+--
+--            (b)        a meets b and c at one moment. One after the other, b would take more than c,
+--      (a)->            and which of them is first would decide it. Together both leave alike, and a
+--            (c)        stays behind, or comes back.
+--
+-- Let v be the velocities before, and w the nearest ones, weighed by mass, at which no pair closes.
+-- What the pairs must give for w is one impulse >= 0 each. With restitution e they give (1 + e)
+-- times that, so the velocities after are v + (1 + e) (w - v). For e = 1 that is v mirrored at w,
+-- which keeps the energy: w - v is normal to w (else w were not the nearest). What closes then,
+-- behind the first ones, meets in the next round, at the same moment.
+--
+-- The impulses are found pair by pair, each >= 0, until none changes (projected Gauss-Seidel).
+--
+-- Source: B. Smith, D. Kaufman, E. Vouga, R. Tamstorf, E. Grinspun, Reflections on Simultaneous
+-- Impact, 2012.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".narrowphase.ball")
+local impact = require(root .. ".solver.impact")
+local path = require(root .. ".motion.path")
+local rules = require(root .. ".narrowphase.rules")
+
+local together = {}
+
+local max = math.max
+-- Passes over the pairs at most, and the share of a velocity by which the last one may change it.
+local PASSES, LEAST = 200, 1e-13
+
+-- Returns empty lists for the impacts that happen together.
+local function newList()
+  return {
+    count = 0,
+    stamp = 0,
+    impact = {}, -- its number in the list of the round
+    nx = {}, -- unit normal to the low body
+    ny = {},
+    lowX = {}, -- by how much an impulse of 1 changes the velocity of each, px/s
+    lowY = {},
+    highX = {},
+    highY = {},
+    total = {}, -- and that along the normal
+    impulse = {},
+    bounce = {}, -- restitution
+    at = {}, -- by slot: when it was listed,
+    vx = {}, -- and its velocity
+    vy = {},
+  }
+end
+
+-- Returns whether impact n is one of round bodies that may bounce, and nothing has changed it.
+local function mayJoin(b, n)
+  local impacts, round = b.impacts, b.roundStamp
+  local i, j, p, axis = impacts.low[n], impacts.high[n], impacts.pair[n], impacts.axis[n]
+  local isOpen = not (b.sensor[i] or b.sensor[j] or b.passing[p] or impacts.isDeep[n])
+  return isOpen
+    and b.inRound[i] ~= round
+    and b.inRound[j] ~= round
+    and max(b.restitution[i], b.restitution[j]) > 0
+    and ball.isRound(b, i, j)
+    and not rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, false)
+end
+
+-- Adds impact n to the list, and its bodies to those that are marked.
+local function join(b, list, n)
+  list.count = list.count + 1
+  list.impact[list.count] = n
+  list.at[b.impacts.low[n]], list.at[b.impacts.high[n]] = list.stamp, list.stamp
+end
+
+-- Lists the n-th impact and those behind it that happen at the same moment, and of which a body
+-- that can move takes part in one that is listed.
+local function gather(b, list, n)
+  local impacts, at, stamp = b.impacts, list.at, list.stamp + 1
+  local order, moment = impacts.order, impacts.moment
+  list.count, list.stamp = 0, stamp
+  join(b, list, order[n])
+  local m = n + 1
+  while m <= impacts.count and moment[order[m]] == moment[order[n]] do
+    local i, j = impacts.low[order[m]], impacts.high[order[m]]
+    local isLinked = at[i] == stamp and b.give[2 * i] > 0 or at[j] == stamp and b.give[2 * j] > 0
+    if isLinked and mayJoin(b, order[m]) then
+      join(b, list, order[m])
+    end
+    m = m + 1
+  end
+end
+
+-- Brings the bodies of each impact to their places at moment t, tau s before the end of the step,
+-- and notes their velocities there, how they give way, and whether they bounce.
+local function prepare(b, list, t, tau)
+  local impacts, dt = b.impacts, b.dt
+  for n = 1, list.count do
+    local c = list.impact[n]
+    local i, j = impacts.low[c], impacts.high[c]
+    path.advance(b, i, t)
+    path.advance(b, j, t)
+    local _, nx, ny = ball.gapNow(b, i, j, t)
+    local u, a = ball.closing(b, i, j, nx, ny, tau)
+    local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
+    list.vx[i], list.vy[i] = ball.speedAt(b, 2 * i, tau), ball.speedAt(b, 2 * i + 1, tau)
+    list.vx[j], list.vy[j] = ball.speedAt(b, 2 * j, tau), ball.speedAt(b, 2 * j + 1, tau)
+    list.nx[n], list.ny[n], list.impulse[n] = nx, ny, 0.0
+    list.lowX[n], list.lowY[n], list.highX[n], list.highY[n] = nx * ix, ny * iy, nx * jx, ny * jy
+    list.total[n] = nx * nx * (ix + jx) + ny * ny * (iy + jy)
+    local isFast = u > 2 * dt * max(a, -a)
+    list.bounce[n] = isFast and max(b.restitution[i], b.restitution[j]) or 0.0
+    impact.note(b, impacts.pair[c], i, impacts.axis[c], max(u, 0.0), t)
+  end
+end
+
+-- Gives the two of impact n an impulse.
+local function push(b, list, n, impulse)
+  local c, vx, vy = list.impact[n], list.vx, list.vy
+  local i, j = b.impacts.low[c], b.impacts.high[c]
+  vx[i], vy[i] = vx[i] + impulse * list.lowX[n], vy[i] + impulse * list.lowY[n]
+  vx[j], vy[j] = vx[j] - impulse * list.highX[n], vy[j] - impulse * list.highY[n]
+end
+
+-- Finds the impulses with which no pair closes.
+local function solve(b, list)
+  local impacts, vx, vy = b.impacts, list.vx, list.vy
+  for _ = 1, PASSES do
+    local most, fastest = 0.0, 0.0
+    for n = 1, list.count do
+      local i, j = impacts.low[list.impact[n]], impacts.high[list.impact[n]]
+      local u = (vx[j] - vx[i]) * list.nx[n] + (vy[j] - vy[i]) * list.ny[n]
+      local more = list.total[n] > 0 and max(u / list.total[n], -list.impulse[n]) or 0.0
+      list.impulse[n] = list.impulse[n] + more
+      push(b, list, n, more)
+      most, fastest = max(most, more, -more), max(fastest, list.impulse[n])
+    end
+    if most <= LEAST * fastest then
+      return
+    end
+  end
+end
+
+--- Lets the impact that is the n-th of this round, and those of round bodies that are linked with
+--- it at the same moment, happen together. Returns their list; nil: there are no others.
+function together.run(b, n)
+  b.together = b.together or newList()
+  local list, impacts = b.together, b.impacts
+  gather(b, list, n)
+  if list.count < 2 then
+    return nil
+  end
+  local t = impacts.time[impacts.order[n]]
+  local tau = (1 - t) * b.dt
+  prepare(b, list, t, tau)
+  solve(b, list)
+  for m = 1, list.count do
+    push(b, list, m, list.bounce[m] * list.impulse[m])
+  end
+  for m = 1, list.count do
+    for side = 1, 2 do
+      local i = side == 1 and impacts.low[list.impact[m]] or impacts.high[list.impact[m]]
+      if b.give[2 * i] > 0 then
+        path.fly(b, 2 * i, list.vx[i], b.accel[2 * i], tau)
+        path.fly(b, 2 * i + 1, list.vy[i], b.accel[2 * i + 1], tau)
+      end
+      b.deflectedAt[i], b.mustStayAwake[i] = b.solveStamp, true
+      b.impactsOf[i] = b.impactsOf[i] + 1
+    end
+    b.resolved = b.resolved + 1
+  end
+  return list
+end
+
+return together
