@@ -10,7 +10,7 @@ local BUDGET = {
   { "physics/contacts", 372 },
   { "physics/fields", 658 },
   { "physics/maps", 2460 },
-  { "physics/memory", 886 },
+  { "physics/memory", 887 },
   { "physics/motion", 1038 },
   { "physics/narrowphase", 556 },
   { "physics/objects", 1263 },

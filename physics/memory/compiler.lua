@@ -22,6 +22,7 @@ compiler.INTERPRETED = {
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "keepPlain",
   ["maps.properties"] = "put read saysThatItMoves isEmpty",
+  ["maps.tiled.tileset"] = "index",
   ["memory.compiler"] = "eachExport listNew load",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
