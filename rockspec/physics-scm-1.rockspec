@@ -2,20 +2,20 @@ rockspec_format = "3.0"
 package = "physics"
 version = "scm-1"
 
+-- The address of this project stands here and nowhere else, as "git+https://github.com/OWNER/NAME".
+-- While it is empty, pages and site have no links that need it (scripts/publish.lua).
 source = {
-  url = "git+https://github.com/physics-lua/physics.lua",
+  url = "",
   branch = "main",
 }
 
 description = {
-  summary = "2D physics for games made of boxes, slopes and balls, with your own tables as the objects",
+  summary = "2D physics for LÖVE games made of boxes, slopes and balls, with your own tables as the objects",
   detailed = [[
 A pure-Lua 2D physics library for LÖVE and every other Lua: axis-aligned boxes, exact contacts, no
 snagging on tile seams, no tunnelling, the same result at every frame rate and on every machine.
 The game's own tables are the physics objects, nothing has to be synchronized.
 ]],
-  homepage = "https://github.com/physics-lua/physics.lua",
-  issues_url = "https://github.com/physics-lua/physics.lua/issues",
   license = "MIT",
   labels = { "love", "game", "physics", "collision" },
 }
@@ -32,7 +32,7 @@ test = {
 
 build = {
   type = "builtin",
-  -- Written by scripts/list_modules.lua; spec/rockspec_spec.lua compares it with the files.
+  -- Written by scripts/list_modules.lua; spec/project/rockspec_spec.lua compares it with the files.
   modules = {
     ["physics"] = "physics.lua",
     ["physics.broadphase.filter"] = "physics/broadphase/filter.lua",

@@ -18,11 +18,11 @@ local atlas = {}
 ---@field y number px
 ---@field width number? px
 ---@field height number? px
----@field level physics.Level? what it has made, nil: it is not there
+---@field level physics.Level? the objects that it has added, nil: it is not there
 
---- What a world of Tiled or LDtk has added: the lists are those of all maps that are there. So are
---- `named`, `byId`, `byIid` and `tileLayers`: the first map that has a name counts. `x`, `y`,
---- `width` and `height` are those of all maps.
+--- The part of a world that a world of Tiled or a project of LDtk has added. The lists are those
+--- of all maps that are there. So are `named`, `byId`, `byIid` and `tileLayers`: the first map that has
+--- a name counts. `x`, `y`, `width` and `height` are those of all maps.
 ---@class physics.Atlas: physics.Level
 ---@field maps physics.AtlasMap[] all maps, also those that are not there
 ---@field map table the decoded world or project
@@ -139,10 +139,10 @@ end
 
 --- Adds one map of the world, as its file is. Nothing happens if it is there.
 ---
---- Errors: the world has no map of that name; what `loadTiled` refuses; it is called from inside
+--- Errors: the world has no map of that name; as in `loadTiled`; it is called from inside
 --- `canCollide`. Nothing has changed then.
 ---@param name string as in `level.maps`
----@return physics.Level level what it has made
+---@return physics.Level level the part of the world that it has added
 function Atlas:addMap(name)
   local map = find(self, "addMap(name)", name)
   if not map.level then

@@ -42,9 +42,11 @@ function snippets.newLove(held)
   local size = always(800)
   local font = { getWidth = size, getHeight = size }
   local graphics = { getWidth = size, getDimensions = always(800, 600), newFont = always(font) }
+  graphics.newCanvas = always({ setFilter = size })
   local love = { graphics = setmetatable(graphics, { __index = always(always(1, 1, 1, 1)) }) }
   local written = {} -- by name, what was written into the save folder
   love.keyboard, love.filesystem = {}, { getInfo = always({}) }
+  love.mouse = { getPosition = always(400, 300) }
   function love.keyboard.isDown(key)
     return held[key] or false
   end
