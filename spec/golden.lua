@@ -2,9 +2,9 @@
 --- `make golden` (scripts/golden.sh), which looks that LuaJIT, its interpreter, 5.1 and 5.4 agree.
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
-  everything = "37655159836966",
+  everything = "47494757682006",
   games5000001 = "2139406811",
-  games5000004 = "604958486",
+  games5000004 = "1305091742",
   games5000009 = "1383478433",
-  wild = "816262419",
+  wild = "1552022577",
 }
