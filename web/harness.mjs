@@ -42,7 +42,7 @@ export async function until(find, message, patience = PATIENCE) {
   for (;;) {
     const found = await find();
     if (found) return found;
-    assert(Date.now() < end, typeof message === "function" ? message() : message);
+    if (Date.now() > end) throw new Error(typeof message === "function" ? await message() : message);
     await new Promise((done) => setTimeout(done, 50));
   }
 }
