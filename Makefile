@@ -1,7 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test test-all test-plain lint types format docs rock release single test-single examples pictures web test-web test-gopher test-arm64 test-wine test-love demo ci clean
+.PHONY: help setup test test-all test-plain lint types format docs rock release single test-single examples pictures web test-web test-gopher test-arm64 test-wine test-love demo ci clean publish-check
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
@@ -35,6 +35,9 @@ rock: setup ## installs the rock into lua_modules/ and runs it from another fold
 
 release: setup ## packs build/release/physics-VERSION.zip: one file, types, licence (CONTRIBUTING.md)
 	@bash scripts/release.sh
+
+publish-check: setup ## says what is left to do before publishing
+	@luajit scripts/publish.lua
 
 single: setup ## writes the whole library as one file, build/physics.lua
 	@bash scripts/single.sh

@@ -25,7 +25,7 @@ local pure = lazy(path .. ".world.tutorial")
 
 ---@class physics.Module: physics.DefaultWorld
 local physics = {
-  _VERSION = "1.0.0",
+  _VERSION = "1.0.0-dev",
   _DESCRIPTION = "2D physics for boxes: exact contact, no seams, no tunnelling, pure Lua",
   _LICENSE = "MIT",
 }

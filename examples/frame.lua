@@ -130,18 +130,19 @@ function frame.mousepressed(x, y)
 end
 
 local function drawPhysics()
-  local x, y = 0, 0
+  local x, y, scale = 0, 0, 1
   if example.camera then
-    x, y = example.camera()
+    x, y, scale = example.camera()
   end
   love.graphics.push()
+  love.graphics.scale(scale or 1)
   love.graphics.translate(-x, -y)
   look.font(11) -- for the names
   drawWorld(example.world, VIEWS[viewed])
   love.graphics.pop()
   local mouseX, mouseY = input.mouse()
   if mouseX < view.gameWidth then
-    inspector.draw(example.world, mouseX, mouseY, x, y)
+    inspector.draw(example.world, mouseX, mouseY, x, y, scale)
   end
 end
 

@@ -56,9 +56,9 @@ local function find(world, x, y)
 end
 
 --- Draws what there is to say about the object at a point of the picture. `cameraX, cameraY`: the
---- place of the world at the picture's top-left corner.
-function inspector.draw(world, x, y, cameraX, cameraY)
-  local object = find(world, x + cameraX, y + cameraY)
+--- place of the world at the picture's top-left corner. `scale`: of the world in the picture (1).
+function inspector.draw(world, x, y, cameraX, cameraY, scale)
+  local object = find(world, x / (scale or 1) + cameraX, y / (scale or 1) + cameraY)
   if not object then
     return
   end

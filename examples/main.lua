@@ -5,8 +5,8 @@
 -- mousepressed(x, y), and leave(), for when another screen comes. An example draws 960x640 px and
 -- also has: keys, the hints for the bar at the bottom; world, the world that the frame around it
 -- (frame.lua) measures and makes visible; and, if its picture scrolls, camera(), which returns the
--- x, y of the world at the top-left corner. Its load() gets the words behind its name in the
--- command line. A new one is entered in the list of menu.lua.
+-- x, y of the world at the top-left corner, and the scale if that is not 1. Its load() gets the
+-- words behind its name in the command line. A new one is entered in the list of menu.lua.
 --
 -- For tests: `love examples --say` prints a line when a screen has started, and then one a second:
 --

@@ -21,7 +21,7 @@ local EXAMPLES = {
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "online", title = "Online", text = "Football over a bad line, with rollback." },
   { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },
-  { name = "rooms", title = "Rooms", text = "Maps as others make them." },
+  { name = "rooms", title = "Rooms", text = "Several maps, checkpoints, a saved game." },
   { name = "marbles", title = "Marbles", text = "Slopes, bumpers, pegs, and a lift." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }

@@ -13,7 +13,7 @@
 ---@field height number px, > 0
 ---@field [string|number] any
 
---- What a dynamic object touches on each side: the neighbour with the widest common edge, or false.
+--- The neighbours of a dynamic object: on each side the one with the widest common edge, or false.
 ---@class physics.Touching
 ---@field top physics.Object|false
 ---@field bottom physics.Object|false
@@ -22,9 +22,9 @@
 
 --- What an object may have beside its place and size.
 ---@class physics.ObjectFields
---- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along x. For a rider it is relative to the carrier.
 ---@field vx? number
---- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along y, downwards. For a rider it is relative to the carrier.
 ---@field vy? number
 --- px/s², default 0. A constant acceleration along x: an engine, a magnet.
 ---@field ax? number
@@ -40,13 +40,13 @@
 ---@field active? boolean
 --- default false. It reports contacts, but nothing bumps into it.
 ---@field sensor? boolean
---- default none. Makes a sensor a zone: what acts on the dynamic objects inside it, as water, wind,
---- a magnet.
+--- default none. Makes a sensor a zone, which acts on dynamic objects inside it: water, wind, a
+--- magnet.
 ---@field area? physics.Area
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
---- default 0. Of two objects the one with the larger strength is not moved by the other, and pushes
---- it as if that had a fifth of its mass.
+--- default 0. The stronger of two objects is not moved by the weaker one, whose mass counts only a
+--- fifth.
 ---@field strength? number
 --- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
 ---@field mass? number
@@ -64,7 +64,8 @@
 ---@field airFriction? number
 --- px/s², >= 0, default 0. A constant deceleration towards 0, as on a floor seen from above.
 ---@field drag? number
---- px/s, >= 0, default none. The limit of the speed, that is of the length of the velocity.
+--- px/s, >= 0, default none. The limit of the speed, that is of the length of the velocity. At a
+--- static wall it holds along each axis alone.
 ---@field maxSpeed? number
 --- px/s, >= 0, default none. The limit of the speed along x, in both directions.
 ---@field maxSpeedX? number
@@ -89,10 +90,10 @@
 --- above.
 ---@field slope? "left"|"right"|"topleft"|"topright"
 --- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
---- them.
+--- them, and launches them upwards.
 ---@field carry? boolean
---- px/s, default 0. A conveyor: what stands on it moves along x at this speed; along y where
---- gravity acts sideways.
+--- px/s, default 0. A conveyor: objects on it move along x at this speed, also on a slope; along y
+--- where gravity acts sideways.
 ---@field surfaceSpeed? number
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
 --- most this much slides past it.
@@ -140,20 +141,20 @@
 
 --- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.
 ---@class physics.Object: physics.NewBox, physics.Box
---- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along x. For a rider it is relative to the carrier.
 ---@field vx number
---- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
+--- px/s, default 0. The velocity along y, downwards. For a rider it is relative to the carrier.
 ---@field vy number
---- What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other object or
+--- The neighbours of a dynamic object: `top`, `bottom`, `left` and `right`, each an object or
 --- `false`. An object that was hit in the last update, and left again, counts.
 ---@field touching physics.Touching
 
---- What the field `area` of a zone may hold.
+--- The entries of the field `area` of a zone.
 ---@class physics.Area
---- px/s², default that of the object. Replaces the downward gravity of what is inside. A negative
+--- px/s², default that of the object. Replaces the downward gravity of objects inside. A negative
 --- one lifts, as in water.
 ---@field gravity? number
---- px/s², default that of the object. Replaces the sideways gravity of what is inside.
+--- px/s², default that of the object. Replaces the sideways gravity of objects inside.
 ---@field gravityX? number
 --- px/s², default 0. An acceleration along x on top: wind.
 ---@field ax? number
@@ -177,15 +178,15 @@
 ---@field gravity? number
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX? number
---- default "both". Which of two objects gives way: both, the lighter one more, or only the one that
---- ran into the other.
+--- default "both". Where two objects meet: half-way, by their masses, or at the edge of the one
+--- that was run into. It concerns places only: both settings share the velocities by mass.
 ---@field push? "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
---- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
---- that overlap by half at half of it.
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed along x
+--- or y, two that overlap by half at half of it.
 ---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
@@ -217,19 +218,18 @@
 --- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
 --- with one, `stats` tells how long the stages of the last step have taken.
 ---@field profile? fun(): number
---- default none. Called before every step, of dt s: the place for controllers. What it writes
---- counts in that step.
+--- default none. Called before every step, of dt s: the place for controllers. Its changes count in
+--- that step.
 ---@field onStep? fun(dt: number)
---- default none. As `onBegin` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onBegin` of an object; `a` comes before `b` in the order of the world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. As `onStay` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onStay` of an object; `a` comes before `b` in the order of the world.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. As `onEnd` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onEnd` of an object; `a` comes before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. As `onCrush` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onCrush` of an object; `a` comes before `b` in the order of the world.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. As `canCollide` of an object. Of two, `a` is before `b` in the order of the
---- world.
+--- default always. As `canCollide` of an object; `a` comes before `b` in the order of the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The settings as fields of a world. They may change between two updates.
@@ -239,15 +239,15 @@
 ---@field gravity number
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX number
---- default "both". Which of two objects gives way: both, the lighter one more, or only the one that
---- ran into the other.
+--- default "both". Where two objects meet: half-way, by their masses, or at the edge of the one
+--- that was run into. It concerns places only: both settings share the velocities by mass.
 ---@field push "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
---- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
---- that overlap by half at half of it.
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed along x
+--- or y, two that overlap by half at half of it.
 ---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
@@ -279,19 +279,18 @@
 --- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
 --- with one, `stats` tells how long the stages of the last step have taken.
 ---@field profile? fun(): number
---- default none. Called before every step, of dt s: the place for controllers. What it writes
---- counts in that step.
+--- default none. Called before every step, of dt s: the place for controllers. Its changes count in
+--- that step.
 ---@field onStep? fun(dt: number)
---- default none. As `onBegin` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onBegin` of an object; `a` comes before `b` in the order of the world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. As `onStay` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onStay` of an object; `a` comes before `b` in the order of the world.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. As `onEnd` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onEnd` of an object; `a` comes before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. As `onCrush` of an object. Of two, `a` is before `b` in the order of the world.
+--- default none. As `onCrush` of an object; `a` comes before `b` in the order of the world.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. As `canCollide` of an object. Of two, `a` is before `b` in the order of the
---- world.
+--- default always. As `canCollide` of an object; `a` comes before `b` in the order of the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The default world, on which the functions of the module work.
@@ -336,7 +335,7 @@ function default.remove(object) end
 --- static object. Queries see the change at once.
 ---
 --- On a kinematic object it also means "it is there now". Without `refresh` it gets to the `x, y`
---- that you write during the next step, and pushes what is in its way.
+--- that you write during the next step, and pushes objects on its way.
 ---
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
@@ -359,9 +358,10 @@ function default.dropThrough(object) end
 ---     "cross"    goes through
 ---     "bounce"   goes on mirrored
 ---
---- The response may be a function(object, other) that returns one of these names for each hit, nil
---- for "slide", or false to ignore `other`. Of several that stop the object at once, the one with
---- the longest common edge comes first, and decides. The move ends after 64 hits.
+--- The response may be a function(object, other) that returns one of these names for each hit, or
+--- false to ignore `other`. Nothing means "slide"; a `checked` world refuses it. Of several that
+--- stop the object at once, the one with the longest common edge comes first, and decides. The move
+--- ends after 64 hits.
 ---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
@@ -410,7 +410,7 @@ function default.shift(dx, dy) end
 ---@param radius number px, > 0
 ---@param impulse number px/s times mass, at the centre; < 0: towards the centre
 ---@param filter physics.Filter? which objects are pushed, default all
----@param walls physics.Filter? what is in the way, default nothing
+---@param walls physics.Filter? objects that shield others, default none
 ---@return physics.Object[] objects those that were pushed, in the order of the world
 ---@return integer count
 function default.explode(x, y, radius, impulse, filter, walls) end
@@ -428,15 +428,15 @@ function default.explode(x, y, radius, impulse, filter, walls) end
 function default.setBounds(x, y, w, h) end
 
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
---- rectangles. What is not supported is listed in `unsupported` of the result. A `.world` file is
---- several maps. JSON needs the option `decode`. See docs/maps.md.
+--- rectangles. Parts that are not supported are listed in `unsupported` of the result. A `.world`
+--- file is several maps. JSON needs the option `decode`. See docs/maps.md.
 ---
---- Errors: the map does not exist, or a part is damaged; an option is unknown, or names what is not
---- in the map; with `strict` a property cannot be used; a group is an object; it is called from
---- inside `canCollide`. Nothing has been added then.
----@param map table|string the path of a map or a world, the table that an export or STI returns, or what JSON was decoded to
----@param options physics.TiledOptions? where the map goes, and what of it is solid
----@return physics.Level|physics.Atlas level what was added, and what is not supported
+--- Errors: the map does not exist, or a part is damaged; an option is unknown, or names a thing
+--- that is not in the map; with `strict` a property cannot be used; a group is an object; it is
+--- called from inside `canCollide`. Nothing has been added then.
+---@param map table|string the path of a map or a world, the table that an export or STI returns, or decoded JSON
+---@param options physics.TiledOptions? where the map goes, and which parts are solid
+---@return physics.Level|physics.Atlas level the objects that were added, and the parts that were left out
 function default.loadTiled(map, options) end
 
 --- Adds the tiles of a plain array as static objects. Equal cells are merged into few large
@@ -461,12 +461,12 @@ function default.addTiles(group, cells, columns, size, options) end
 --- project, as a level of several maps. See docs/maps.md.
 ---
 --- Errors: the level does not exist, is in another file, or a part is damaged; an option is
---- unknown, or names what is not in the level; with `strict` a field cannot be used; a group is an
---- object; it is called from inside `canCollide`. Nothing has been added then.
+--- unknown, or names a thing that is not in the level; with `strict` a field cannot be used; a
+--- group is an object; it is called from inside `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
----@param options physics.LDtkOptions? where the level goes, and what of it is solid
----@return physics.LDtkLevel|physics.Atlas level the objects that were added, and what is not supported
+---@param options physics.LDtkOptions? where the level goes, and which parts are solid
+---@return physics.LDtkLevel|physics.Atlas level the objects that were added, and the parts that were left out
 ---@diagnostic disable-next-line: redefined-local
 function default.loadLDtk(project, level, options) end
 
@@ -475,7 +475,7 @@ function default.loadLDtk(project, level, options) end
 --- another Lua. See docs/state.md.
 ---
 --- Of your own fields only those that `ownFields` names are saved, and no functions. A state that
---- is saved inside a callback holds what is still to come of this step's events.
+--- is saved inside a callback holds the events of this step that are still to come.
 ---
 --- Errors: a field or setting that `update` would refuse; a value in `ownFields` that cannot be
 --- saved; `out` is not a table; it is called from inside `canCollide`.
@@ -483,16 +483,18 @@ function default.loadLDtk(project, level, options) end
 ---@return physics.State state
 function default.save(out) end
 
---- Makes this world what it was when the state was saved. That itself calls no callback.
+--- Puts this world back to the moment at which the state was saved. That itself calls no callback.
 ---
 --- Objects that were added since then leave, removed ones come back, and all get their saved
 --- fields. In this same world each object is the very table that it was. A state from elsewhere is
---- applied by group and key; a missing object becomes a new plain table, without callbacks.
+--- applied to objects of maps by their id in the editor, to others by group and key; a missing one
+--- becomes a new plain table, without callbacks. Maps come and go, and tiles are dug, as they were.
 ---
---- Errors: the value is not a state, or one of another version, or damaged; it is called from
---- inside `canCollide`. Nothing has changed then.
----@param saved physics.State what `save` returned, or a copy
+--- Errors: the value is not a state, or one of another version, or damaged; a map cannot be read;
+--- it is called from inside `canCollide`. Nothing has changed then.
+---@param saved physics.State the result of `save`, or a copy
 ---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
+---@return physics.Object[] new the objects that had to be made
 function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds, the same on every Lua. Two
@@ -567,7 +569,7 @@ function default.nearest(x, y, radius, filter) end
 ---@param height number px, > 0
 ---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
 ---@return boolean fits
----@return physics.Object? other what is in the way, the first in the order of the world
+---@return physics.Object? other the obstacle, the first in the order of the world
 function default.fits(x, y, width, height, filter) end
 
 --- Returns the nearest place, at most `reach` px away, where a box would be free, as `fits` says:
@@ -628,7 +630,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out, fractions) end
 ---@return number fraction of the line, 0..1
 function default.raycast(x1, y1, x2, y2, filter) end
 
---- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
+--- Returns the obstacle that would stop an object on its way by (dx, dy), and where the object
+--- would be then.
 --- Nothing moves.
 ---
 --- Solid objects stop it, if no mask says otherwise; one-way objects stop it on their solid side;
@@ -649,7 +652,7 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
 
---- Returns what would stop a free box on its way by (dx, dy), as `sweep` does for an object.
+--- Returns the obstacle of a free box on its way by (dx, dy), as `sweep` does for an object.
 ---
 --- Errors: a number is not finite; a size is <= 0; the filter cannot be used.
 ---@param x number px, left edge
@@ -667,7 +670,7 @@ function default.sweep(object, dx, dy, filter) end
 ---@return number fraction of the way, 0..1
 function default.cast(x, y, width, height, dx, dy, filter) end
 
---- Returns what would stop a free circle on its way by (dx, dy).
+--- Returns the obstacle of a free circle on its way by (dx, dy).
 ---
 --- Errors: a number is not finite; the radius is <= 0; the filter cannot be used.
 ---@param x number px, the centre
@@ -696,7 +699,7 @@ function default.castCircle(x, y, radius, dx, dy, filter) end
 ---@return integer count
 function default.overlapping(object, filter, out) end
 
---- Returns what an object stands on, and how steep that is: px along y for each px along x. It is
+--- Returns the ground of an object, and how steep that is: px along y for each px along x. It is
 --- -0.5 on a slope that rises to the right by 1 px in 2. A sprite that leans with the ground turns
 --- by `math.atan(gradient)`. Where gravity acts sideways both axes change places.
 ---
@@ -745,13 +748,13 @@ function default.explain(a, b) end
 --- inactive objects are faint, the solid side of a one-way object is yellow.
 ---
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
----@param options physics.DrawOptions? what to show
+---@param options physics.DrawOptions? the parts that are shown
 function default.draw(options) end
 
 --- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from
 --- its place before the last step to its place now, by the share `world.alpha`. Without a
---- `timestep` it is `object.x, object.y`, as for what is new, static, or was put somewhere by the
---- game.
+--- `timestep` it is `object.x, object.y`, as for an object that is new, static, or was put
+--- somewhere by the game.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw

@@ -2,20 +2,20 @@ rockspec_format = "3.0"
 package = "physics"
 version = "scm-1"
 
+-- The address of this project stands here and nowhere else, as "git+https://github.com/OWNER/NAME".
+-- While it is empty, pages and site have no links that need it (scripts/publish.lua).
 source = {
-  url = "git+https://github.com/physics-lua/physics.lua",
+  url = "",
   branch = "main",
 }
 
 description = {
-  summary = "2D physics for games made of boxes, slopes and balls, with your own tables as the objects",
+  summary = "2D physics for LÖVE games made of boxes, slopes and balls, with your own tables as the objects",
   detailed = [[
 A pure-Lua 2D physics library for LÖVE and every other Lua: axis-aligned boxes, exact contacts, no
 snagging on tile seams, no tunnelling, the same result at every frame rate and on every machine.
 The game's own tables are the physics objects, nothing has to be synchronized.
 ]],
-  homepage = "https://github.com/physics-lua/physics.lua",
-  issues_url = "https://github.com/physics-lua/physics.lua/issues",
   license = "MIT",
   labels = { "love", "game", "physics", "collision" },
 }
@@ -32,7 +32,7 @@ test = {
 
 build = {
   type = "builtin",
-  -- Written by scripts/list_modules.lua; spec/rockspec_spec.lua compares it with the files.
+  -- Written by scripts/list_modules.lua; spec/project/rockspec_spec.lua compares it with the files.
   modules = {
     ["physics"] = "physics.lua",
     ["physics.broadphase.filter"] = "physics/broadphase/filter.lua",
@@ -51,6 +51,7 @@ build = {
     ["physics.maps.ldtk"] = "physics/maps/ldtk.lua",
     ["physics.maps.level"] = "physics/maps/level.lua",
     ["physics.maps.properties"] = "physics/maps/properties.lua",
+    ["physics.maps.recall"] = "physics/maps/recall.lua",
     ["physics.maps.tiled"] = "physics/maps/tiled.lua",
     ["physics.maps.tiled.file"] = "physics/maps/tiled/file.lua",
     ["physics.maps.tiled.json"] = "physics/maps/tiled/json.lua",
@@ -105,6 +106,7 @@ build = {
     ["physics.solver.impact"] = "physics/solver/impact.lua",
     ["physics.solver.nudge"] = "physics/solver/nudge.lua",
     ["physics.solver.pool"] = "physics/solver/pool.lua",
+    ["physics.solver.press"] = "physics/solver/press.lua",
     ["physics.solver.rounds"] = "physics/solver/rounds.lua",
     ["physics.solver.settle"] = "physics/solver/settle.lua",
     ["physics.solver.slant"] = "physics/solver/slant.lua",
@@ -119,6 +121,7 @@ build = {
     ["physics.space.shapes"] = "physics/space/shapes.lua",
     ["physics.state.format"] = "physics/state/format.lua",
     ["physics.state.hash"] = "physics/state/hash.lua",
+    ["physics.state.older"] = "physics/state/older.lua",
     ["physics.state.restore"] = "physics/state/restore.lua",
     ["physics.state.save"] = "physics/state/save.lua",
     ["physics.state.validate"] = "physics/state/validate.lua",

@@ -57,6 +57,9 @@ check "platformer: at the first try" is platformer-won deaths 0
 
 check "rooms plays" play rooms rooms 300 "$(cat examples/demos/rooms.keys)"
 check "rooms: the player went to another room" at_least rooms x 490
+check "rooms: thorns led back to the flag" at_least rooms deaths 1
+check "rooms plays the saved game" play rooms-saved rooms 60 "c:5"
+check "rooms: the saved game is in the other room" at_least rooms-saved x 490
 check "rooms plays the other editor's map" play rooms-ldtk rooms 60 "g:5"
 
 # These, too: `luajit scripts/find_hills_keys.lua >examples/demos/hills.keys`.

@@ -34,6 +34,8 @@ check "spec/README.md names the specs that are there" luajit scripts/spec_index.
 
 check "an object is it, not a person" bash scripts/words.sh
 printf 'The box %s rests.\n' "wh""o" >build/words.md
+echo 'The box pushes what is near.' >build/what.md
+check "a page in which \"what\" is a noun is found" refuses luajit scripts/sentences.lua build/what.md
 check "a word for a person is found" refuses bash scripts/words.sh build/words.md
 
 finish

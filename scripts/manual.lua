@@ -22,7 +22,7 @@ same texts while you type. The [guide](guide/index.md) explains the ideas.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
-- A `?` marks what you may leave out, and a result that may be nil.
+- A `?` marks an argument that you may leave out, and a result that may be nil.
 - Every method of a world is also a function of the module, for the default world:
   `physics.update(dt)`.
 - A wrong value raises an error at the line of your game, and nothing has changed.
@@ -41,7 +41,7 @@ y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
 ]]
 
 local AREAS = [[
-What the field `area` of a [zone](../guide/motion.md#zones) may hold.
+The entries of the field `area` of a [zone](../guide/motion.md#zones).
 ]]
 
 local SETTINGS = [[
@@ -60,8 +60,8 @@ Pure functions of the tutorial. They need no world.
 ]]
 
 local QUERIES = [[
-Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) shows
-which one answers what.
+Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) has a
+table of questions.
 
 - `filter` says which objects count, default all: the name of a group, a list of names, or a
   function of the object.
@@ -82,12 +82,12 @@ How to make maps that work: [Maps](../maps.md).
 ]]
 
 local ATLAS = [[
-What `world:loadTiled` returns for a world of the editor: see
+The result of `world:loadTiled` for a world of the editor: see
 [Maps](../maps.md#worlds-of-several-maps).
 ]]
 
 local TILES = [[
-What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk.
+The result of `world:addTiles`, and the values of `level.tileLayers` of a map from Tiled or LDtk.
 ]]
 
 -- The tables of the fields of objects.
@@ -121,37 +121,6 @@ local PAGES = {
 local ON_WORLD = { ["world:draw"] = true, ["world:interpolate"] = true }
 local ON_MAPS = { ["world:loadTiled"] = true, ["world:addTiles"] = true, ["world:loadLDtk"] = true }
 local ON_QUERIES = { ["world:move"] = true }
-
--- Names to look at next.
-local SEE = {
-  ["world:add"] = "world:remove, world:groupOf",
-  ["world:remove"] = "active",
-  ["world:refresh"] = "static, checked",
-  ["world:dropThrough"] = "oneWay",
-  ["world:move"] = "world:sweep, world:update",
-  ["world:impulse"] = "world:explode, mass",
-  ["world:shift"] = "world:refresh",
-  ["world:explode"] = "world:queryCircle, world:impulse",
-  ["world:setBounds"] = "static",
-  ["world:save"] = "world:restore, ownFields",
-  ["world:restore"] = "world:save, world:hash",
-  ["world:hash"] = "world:save, ownFields",
-  ["world:queryPoint"] = "world:nearest",
-  ["world:queryRect"] = "world:overlapping, world:fits",
-  ["world:queryCircle"] = "world:explode",
-  ["world:fits"] = "world:freePlace, world:sweep",
-  ["world:freePlace"] = "world:fits",
-  ["world:cast"] = "world:castCircle, world:sweep",
-  ["world:raycast"] = "world:querySegment",
-  ["world:sweep"] = "world:cast, world:move, world:fits",
-  ["world:overlapping"] = "onBegin",
-  ["world:ground"] = "slope, touching",
-  ["world:velocity"] = "vx",
-  ["world:touching"] = "touching",
-  ["world:explain"] = "checked",
-  ["world:interpolate"] = "timestep, onStep",
-  ["physics.load"] = "physics.newWorld",
-}
 
 local function add(lines, ...)
   for i = 1, select("#", ...) do
@@ -383,17 +352,6 @@ local function signature(entry, place)
   return ("%s%s%s(%s)"):format(head, place, entry.name, table.concat(parameters, ", "))
 end
 
-local function addSeeAlso(lines, name)
-  if not SEE[name] then
-    return
-  end
-  local names = {}
-  for other in SEE[name]:gmatch("[%w:.]+") do
-    names[#names + 1] = code(other)
-  end
-  add(lines, "See also " .. table.concat(names, ", ") .. ".", "")
-end
-
 local function addFunction(lines, entry, place)
   local name = place .. entry.name
   add(lines, "## " .. name, "", code(signature(entry, place)), "")
@@ -404,7 +362,6 @@ local function addFunction(lines, entry, place)
   if examples[name] then
     add(lines, "```lua", (examples[name]:gsub("\n$", "")), "```", "")
   end
-  addSeeAlso(lines, name)
 end
 
 -- The file, the table and the beginning of the names of each list of functions.
@@ -596,17 +553,6 @@ end
 
 -- The pages --------------------------------------------------------------------------------------
 
--- A line of links to the functions of a page, so that one is found without scrolling.
-local function addMenu(lines, page, owner)
-  local names = {}
-  for _, each in ipairs(functions()) do
-    if each.page == page and (not owner or each.owner == owner) then
-      names[#names + 1] = ("[%s](%s)"):format(each.entry.name, anchorOf(each.name))
-    end
-  end
-  add(lines, table.concat(names, ", "), "")
-end
-
 local function addFunctions(lines, page, owner)
   for _, each in ipairs(functions()) do
     if each.page == page and each.owner == owner then
@@ -632,7 +578,6 @@ end
 function write.world(lines)
   add(lines, WORLD)
   addWorldFields(lines)
-  addMenu(lines, "world")
   addFunctions(lines, "world", "physics")
   addFunctions(lines, "world", "World")
   add(lines, "## The tutorial's functions", "", PURE)
@@ -641,13 +586,11 @@ end
 
 function write.queries(lines)
   add(lines, QUERIES)
-  addMenu(lines, "queries")
   addFunctions(lines, "queries", "World")
 end
 
 function write.maps(lines)
   add(lines, MAPS)
-  addMenu(lines, "maps")
   addFunctions(lines, "maps", "World")
   add(lines, "## Tiles", "", TILES)
   addFunctions(lines, "maps", "Tiles")

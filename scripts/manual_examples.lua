@@ -294,7 +294,7 @@ print(tiles.tiles, tiles.rectangles) --> 6 2
 
 examples["world:loadLDtk"] = [[
 local json = require "dkjson" -- or any other
-local project = json.decode(love.filesystem.read("maps/cave.ldtk"))
+local project = json.decode((love.filesystem.read("maps/cave.ldtk")))
 local level = world:loadLDtk(project, "Cave")
 print(level.named.Start.x) --> 16
 ]]

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Packs a release into build/release/: physics-VERSION.zip with the library as one file, the addon for
-# editors, the changelog and the licence; physics.lua for a direct download; examples-VERSION.love.
+# editors, the changelog and the licence; physics.lua for a direct download; examples-VERSION.love; the
+# rockspec, if the project has an address (scripts/publish.lua).
 # Then unpacks the zip elsewhere, plays a game with the file, and
 # checks a game's types with the addon. The same sources give the same zip, to the bit.
 # What else a release needs: CONTRIBUTING.md.
@@ -9,6 +10,7 @@ set -uo pipefail
 
 version=$(luajit -e 'io.write(require("physics")._VERSION)') || exit 1
 name=physics-$version
+address=$(luajit scripts/publish.lua address) || exit 1
 place=build/release
 zip=$PWD/$place/$name.zip
 
@@ -23,6 +25,7 @@ pack() {
   find "$place/$name" -exec touch -d "@$date" {} +
   (cd "$place" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -qX "$zip" -@) || return
   cp "$place/$name/physics.lua" "$place/physics.lua"
+  [ -z "$address" ] || luajit scripts/publish.lua rockspec "$version" >"$place/$name-1.rockspec" || return
   (zip -qrX "$place/examples-$version.love" physics.lua physics &&
     cd examples && zip -qrX "../$place/examples-$version.love" . -x 'compare/*')
 }

@@ -4,18 +4,24 @@
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
-rockspec=$(ls rockspec/physics-[0-9]*.rockspec)
 tree=$PWD/lua_modules
 version=$(luarocks config lua_version)
 elsewhere=$(mktemp -d)
 trap 'rm -rf "$elsewhere"' EXIT
 
 rm -rf "$tree"
-for one in rockspec/*.rockspec; do
+# The rockspec of a release (scripts/publish.lua), here with an address that stands in for the real one.
+rockspec=build/physics-1.2.3-1.rockspec
+make_rockspec() {
+  sed 's#url = "[^"]*"#url = "git+https://example.com/owner/name"#' rockspec/*.rockspec >build/addressed.rockspec
+  luajit scripts/publish.lua rockspec 1.2.3 build/addressed.rockspec >$rockspec
+}
+check "a release gets a rockspec" make_rockspec
+for one in rockspec/*.rockspec $rockspec; do
   check "$one is valid" luarocks lint "$one"
 done
-check "luarocks make installs what is unreleased" luarocks --tree "$tree" make
-check "luarocks make installs it" luarocks --tree "$tree" make "$rockspec"
+check "luarocks make installs the release" luarocks --tree "$tree" make "$rockspec"
+check "luarocks make installs the state of the folder" luarocks --tree "$tree" make
 
 # `luarocks test` wants busted as a rock; here it is the one that is installed, made into a rock.
 shelf=$PWD/build/rocks
@@ -32,8 +38,7 @@ echo "rocks_trees = { { name = 'shelf', root = '$shelf' } }" >"$shelf/config.lua
 make_busted() { (cd "$shelf/busted" && luarocks --tree "$shelf" make busted-2.1.1-1.rockspec); }
 check "busted is there as a rock" make_busted
 luarocks_test() { LUAROCKS_CONFIG="$shelf/config.lua" luarocks test "$@"; }
-check "luarocks test plays the specs" luarocks_test "$rockspec" -- spec/world_spec.lua
-check "of what is unreleased, too" luarocks_test -- spec/world_spec.lua
+check "luarocks test plays the specs" luarocks_test -- spec/world_spec.lua
 echo 'it("fails", function() assert.equal(1, 2) end)' >build/fails_spec.lua
 check "and fails when one fails" refuses luarocks_test -- build/fails_spec.lua
 

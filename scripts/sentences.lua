@@ -17,6 +17,24 @@ local PHRASES = {
   { "a machine presse?[sd]", "a kinematic object" },
 }
 
+-- "What" begins a question, also behind these words ("it says what to do"). Elsewhere it stands in
+-- the place of a noun ("what is held"): name the thing ("an object that is held").
+local BEFORE_A_QUESTION = {}
+local WORDS = "ask asks decide decides explain explains know knows out say says said see sees show "
+  .. "shows tell tells"
+for word in WORDS:gmatch("%a+") do
+  BEFORE_A_QUESTION[word] = true
+end
+
+-- Returns the first words around a "what" that is no question, or nil.
+local function nounOf(sentence)
+  for before, after in (" . " .. sentence:lower()):gmatch("(%S+)%s+(what%f[%W]%s*%S*)") do
+    if not BEFORE_A_QUESTION[before:match("%a*")] then
+      return (before .. " " .. after):gsub("^%. ", "")
+    end
+  end
+end
+
 local function countWords(sentence)
   local count = 0
   for word in sentence:gmatch("%S+") do
@@ -35,9 +53,13 @@ end
 -- Calls report(line, message) for each sentence of a paragraph that is too long, and each phrase.
 local function checkParagraph(text, line, report)
   text = plain(text)
-  for sentence in (text .. " "):gmatch('(.-)[.?!;]%f[%s)"]') do
-    local count = countWords(sentence)
-    if count > MOST then
+  local hasSentences = text:find("[.?!;]") -- else it is a list of names
+  for sentence, mark in (text .. ". "):gmatch('(.-)([.?!;])%f[%s)"]') do
+    local count, noun = countWords(sentence), mark ~= "?" and nounOf(sentence)
+    if noun then
+      report(line, ('"%s": name the thing, "an object that …"'):format(noun))
+    end
+    if count > MOST and hasSentences then
       report(line, ("%d words: %s …"):format(count, sentence:match("^%s*(.-)$"):sub(1, 60)))
     end
   end

@@ -19,21 +19,20 @@ local PATH = "spec/README.md"
 local HEAD = [[
 # Where a promise has its specs
 
-Written by `luajit scripts/spec_index.lua`; `make lint` checks it. To find a spec, look for the
-field, setting or method here, or for the [page](#pages) that explains it. To add one: open that
-file, or one in [scenarios](scenarios/); begin the title with the name, draw the scene above the
-numbers, see the row fail: `busted FILE`.
+Written by `luajit scripts/spec_index.lua`; `make lint` checks it. Look for a field, setting or
+method here, and for its name in the titles of the files. To add a spec:
+[CONTRIBUTING](../CONTRIBUTING.md#how-to-add-a-spec).
 
-| where | what |
+| where | specs of |
 |---|---|
 | `NAME_spec.lua`, `NAME_…_spec.lua` | the page `NAME` of the guide, the reference or `docs/` |
-| [scenarios](scenarios/) | a behaviour each: a picture, rows of numbers, played in many variants |
-| [oracles](oracles/) | motion, impacts and friction compared with what is worked out by hand |
-| [invariants](invariants/) | what holds in every scene: bits, garbage, errors, random games |
-| [inside](inside/) | files of the core, looked at from inside |
-| [project](project/) | the pages, the scripts, the benchmark |
-| [support](support/), [fuzz](fuzz/) | helpers, and the random games |
-| [maps](maps/), [gopher](gopher/) | maps of Tiled, and a Lua in Go |
+| [scenarios](scenarios/) | one behaviour each: a picture, rows of numbers, many variants |
+| [oracles](oracles/) | motion, impacts and friction that are worked out by hand |
+| [invariants](invariants/) | every scene: bits, garbage, errors, random games |
+| [inside](inside/) | files of the core |
+| [project](project/) | pages, scripts, benchmark |
+| [support](support/), [fuzz](fuzz/) | (helpers, random games) |
+| [maps](maps/), [gopher](gopher/) | (maps of Tiled, a Lua in Go) |
 
 ]]
 
@@ -156,19 +155,15 @@ end
 local function cellOf(files, name)
   local about = {}
   for _, file in ipairs(files) do
-    local own = {}
+    local isAbout = false
     for _, title in ipairs(file.titles) do
-      if title.subjects[name[1]] or title.subjects[name[2]] then
-        own[#own + 1] = title.text:gsub("%s*#%w+", ""):gsub("|", "\\|")
-      end
+      isAbout = isAbout or title.subjects[name[1]] or title.subjects[name[2]]
     end
-    if #own > 0 and not GENERAL[file.name] then
-      local more = #own > 3 and (", and %d more"):format(#own - 3) or ""
-      local text = table.concat(own, "; ", 1, math.min(#own, 3))
-      about[#about + 1] = linkTo(file) .. ": " .. text .. more
+    if isAbout and not GENERAL[file.name] then
+      about[#about + 1] = linkTo(file)
     end
   end
-  return #about > 0 and table.concat(about, "<br>") or "none"
+  return #about > 0 and table.concat(about, ", ") or "none"
 end
 
 local function listFiles()

@@ -29,7 +29,7 @@ local HEAD = [[
 ---@field height number px, > 0
 ---@field [string|number] any
 
---- What a dynamic object touches on each side: the neighbour with the widest common edge, or false.
+--- The neighbours of a dynamic object: on each side the one with the widest common edge, or false.
 ---@class physics.Touching
 ---@field top physics.Object|false
 ---@field bottom physics.Object|false
@@ -122,7 +122,7 @@ local function addObjects(lines)
 end
 
 local function addAreas(lines)
-  add(lines, "", "--- What the field `area` of a zone may hold.", "---@class physics.Area")
+  add(lines, "", "--- The entries of the field `area` of a zone.", "---@class physics.Area")
   for _, field in ipairs(fields.area) do
     addField(lines, field, true)
   end

@@ -196,6 +196,22 @@ describe("checked", function()
     refusesStep(world, "canCollide must return true or false, got nothing (which means true)")
   end)
 
+  it("refuses a response that returns nothing: bump.lua would ignore", function()
+    local world, _, box = newWorld()
+    local y = box.y
+    local function move()
+      return (select(2, world:move(box, box.x, 500, function() end)))
+    end
+    local _, message = pcall(move)
+    assert.equal(
+      "world:move(object, x, y): response must return false to ignore, got nothing",
+      message:match("debugging_spec%.lua:%d+: physics: (.*)$")
+    )
+    assert.equal(y, box.y)
+    world.checked = false
+    assert.equal(90, move())
+  end)
+
   it("says nothing of a mask that is switched in the game, or of a group that was there", function()
     local world, _, box = newWorld()
     world.masks = { men = { floors = false } }

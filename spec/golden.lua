@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "37655159836966",
-  games5000001 = "158875067",
-  games5000004 = "1696553262",
-  games5000009 = "2142570167",
+  games5000001 = "2139406811",
+  games5000004 = "604958486",
+  games5000009 = "1383478433",
   wild = "816262419",
 }

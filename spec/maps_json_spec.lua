@@ -12,14 +12,16 @@ local function decode(text)
 end
 
 local MAP = [[{ type = "map", width = 8, height = 2, tilewidth = 16, tileheight = 16,
-  tilesets = { { firstgid = 1, source = "sets/other.tsj" }, { firstgid = 5, source = "sets/earth.tsj" } },
+  tilesets = { { firstgid = 1, source = "sets/other.tsj" },
+    { firstgid = 5, source = "sets/earth.tsj" } },
   layers = { { type = "tilelayer", id = 1, name = "land", width = 2, height = 1, data = { 5, 6 } },
     { type = "objectgroup", id = 2, name = "things", objects = { %s } } } }]]
 local EARTH = [[{ name = "earth", tilewidth = 16, tileheight = 16, tilecount = 4, type = "tileset",
-  tiles = { { id = 1, type = "rock", properties = { { name = "solid", type = "bool", value = true } } } } }]]
+  tiles = { { id = 1, type = "rock",
+    properties = { { name = "solid", type = "bool", value = true } } } } }]]
 local CRATE = [[{ type = "template", tileset = { firstgid = 1, source = "../sets/earth.tsj" },
-  object = { name = "crate", type = "Crate", gid = 2147483650, width = 32, height = 16, rotation = 0,
-    properties = { { name = "mass", type = "int", value = 2 },
+  object = { name = "crate", type = "Crate", gid = 2147483650, width = 32, height = 16,
+    rotation = 0, properties = { { name = "mass", type = "int", value = 2 },
       { name = "loot", type = "string", value = "gold" } } } }]]
 
 local FILES = {
@@ -135,6 +137,24 @@ describe("world:loadTiled, JSON", function()
       assert.truthy(text:find(row[3], 1, true), text)
     end)
   end
+
+  it("has properties of all types, as the Lua export has them", function()
+    local object = tiled.object(1, 0, 0, 8, 8)
+    local inner = { { type = "int", value = 3 }, { type = "list", value = { { value = true } } } }
+    object.properties = {
+      { name = "target", type = "object", value = 7 },
+      { name = "mask", type = "class", propertytype = "Mask", value = { players = false } },
+      { name = "loot", type = "list", value = inner },
+      { name = "drag", type = "float", value = 0.5 },
+    }
+    local made = load(tiled.map({}, { tiled.objects(1, "a", { object }) })).objects[1]
+    assert.same({ { id = 7 }, { players = false }, { 3, { true } }, 0.5 }, {
+      made.target,
+      made.mask,
+      made.loot,
+      made.drag,
+    })
+  end)
 
   it("is refused if it cannot be decoded", function()
     pretend({ ["a.tmj"] = "{" })

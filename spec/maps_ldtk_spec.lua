@@ -60,6 +60,12 @@ describe("world:loadLDtk", function()
     end)
   end
 
+  it("takes the one-way side of a layer by its name", function()
+    local cells = ldtk.intGrid("OneWay", { "12" })
+    local level = load(ldtk.project({ ldtk.level("Cave", { cells }) }, { "dirt", "wall" }))
+    assert.same({ 1, "top" }, { #level.walls, level.walls[1].oneWay })
+  end)
+
   it("adds entities by their pivot, to the group of their identifier, named and kept", function()
     local project = newProject()
     local before = tiled.copy(project)

@@ -186,7 +186,8 @@ describe("loadTiled: the name of a layer", function()
   local walls = {
     "Collision LAyer, Platforms lvl, TopWall, collisions_1, WALLS, solid-tiles, boundaries, Static,"
       .. "terrain2, Water Blocks",
-    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur, Water, pit",
+    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur, Water,"
+      .. "pit",
   }
   for i, names in ipairs(walls) do
     for name in names:gmatch("%s*([^,]+)") do
@@ -396,6 +397,30 @@ describe("loadLDtk: a level", function()
     assert.same({ 1, 1, 1 }, { #level.walls, #level.sensors, #level.dynamic })
     definition.intGridValuesGroups[1].identifier = "Walls"
     assert.equal(32, physics.newWorld():loadLDtk(project).walls[1].width)
+  end)
+end)
+
+describe("world:loadTiled and world:loadLDtk, classes", function()
+  it("gives the objects of a class their metatable, of Tiled and of LDtk", function()
+    local Class = { speed = 7 }
+    Class.__index = Class
+    local level = physics.newWorld():loadLDtk(ldtk.cave(), nil, { classes = { Player = Class } })
+    local named = level.named
+    assert.same(
+      { Class, 7, 3 },
+      { getmetatable(named.Player), named.Player.speed, named.Player.lives }
+    )
+    assert.is_nil(named.Door.speed)
+    local path = "spec/maps/course.lua"
+    named = physics.newWorld():loadTiled(path, { classes = { enemy = Class } }).named
+    assert.same(
+      { Class, 7, 12 },
+      { getmetatable(named.slime), named.slime.speed, named.slime.width }
+    )
+    assert.is_nil(named.lift.speed)
+    local words = "classes.enemy must be a table, got 1"
+    local world = physics.newWorld()
+    small.refuses(words, world.loadTiled, world, path, { classes = { enemy = 1 } })
   end)
 end)
 

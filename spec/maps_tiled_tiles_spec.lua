@@ -445,8 +445,8 @@ describe("world:loadTiled, level.tileLayers", function()
     assert.same({ 0, 0, 5, 100 }, { layer.firstColumn, layer.firstRow, layer.x, layer.y })
     assert.same({ 4, 3 }, { layer.columns, layer.rows })
     layer:setTile(1, 1, 0)
-    assert.same({ "5 116 16 16", "37 116 32 16", "5 132 64 16" }, boxes(world, "ground"))
-    local first = world.objects.ground[1]
+    assert.same({ "5 132 64 16", "5 116 16 16", "37 116 32 16" }, boxes(world, "ground"))
+    local first = world.objects.ground[2]
     local place = first.tiled
     assert.same({ "earth", layer, 1 }, { first.type, place.tiles, place.gid })
     assert.same({ 0, 1, 1, 1 }, { place.column, place.row, place.columns, place.rows })
@@ -454,7 +454,7 @@ describe("world:loadTiled, level.tileLayers", function()
     assert.same({ "21 116 16 16" }, boxes(world, "ice"))
     layer:setTile(1, 1, 3 + X) -- two rectangles, turned
     assert.same({}, boxes(world, "ice"))
-    local both = { "5 116 16 16", "37 116 32 16", "5 132 64 16", "21 124 16 8", "29 116 8 8" }
+    local both = { "5 132 64 16", "5 116 16 16", "37 116 32 16", "21 124 16 8", "29 116 8 8" }
     assert.same(both, boxes(world, "ground"))
     local words = "value must be a gid of one of the tilesets, got 99"
     small.refuses(words, layer.setTile, layer, 1, 1, 99)

@@ -2,6 +2,7 @@
 
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
+local states = require("spec.support.states")
 
 local RECIPES = snippets.read("docs/recipes.md")
 local DT = 1 / 60
@@ -142,9 +143,27 @@ rows["Checkpoints"] = {
   { "+l", 0, { x = 40, health = 3, coins = 0 } },
 }
 rows["Ice and conveyors"] = {
-  { "", 2, { x = { 400 + 21.7, 400 + 22.8 } }, { x = 400, vx = 200 } },
-  { "", 2, { x = { 200, 400 } }, { x = 110, vx = 200 } }, -- over the ice
-  { "", 1, { x = 330 }, { x = 270, vx = 0 } },
+  { "", 2, { x = { 200, 204 } }, { x = 110, vx = 200 } }, -- over the ice, to its end
+  { "", 1, { x = 330, crates = { x = { 425, 435 }, vx = { 59, 61 } } }, { x = 270 } },
+  { "+right", 0.1, { x = 351 } },
+}
+rows["Launching"] = {
+  { "", 1, { balls = { y = 368 } } },
+  { "+space", 0.81, { balls = { y = { 100, 106 } }, plungers = { y = 384 } } }, -- 225 px
+}
+rows["Chutes"] = {
+  { "", 0.1, nil, { x = 700 } },
+  { "", 0.4, { crates = { x = { 125, 150 }, y = { 296, 330 } } } },
+  { "", 0.5, { crates = { x = { 170, 190 } } } },
+}
+rows["Pits and pockets"] = {
+  { "", 0.45, { balls = { x = 290 } } }, -- its rim is over it from 284 on, its centre from 292
+  { "", 0.02, { balls = NIL } },
+}
+rows["A paddle"] = { { "", 0.5, { paddles = { x = 376, y = 276 } }, { x = 700 } } }
+rows["Pause and slow motion"] = {
+  { "+p", 0.5, { y = 268 }, { y = 268 } },
+  { "-p +p +x", 0.4, { y = 268 + 0.5 * 800 * 0.1 ^ 2 } },
 }
 
 local foe, far =
@@ -257,7 +276,7 @@ recipes["A fixed step"] = function(snippet)
 end
 
 recipes["Chunks"] = function(snippet)
-  local g = play(snippet, "chunks, changes, dig, updateChunks")
+  local g = play(snippet, "chunks, changes, dig, newChunk")
   g.world:remove(g.env.floor)
   g.player.y, g.player.gravity, g.player.x = 0, 0, 8000
   local function measure()
@@ -288,6 +307,32 @@ recipes["Chunks"] = function(snippet)
   g.run(0.5)
   assert.equal(3, measure())
   assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
+  local chunks, _, _, newChunk = g.look()
+  dig(20000, deeper - 15)
+  dig(-900, deeper + 1)
+  dig(-900, -900)
+  g.player.vx = -3000
+  g.run(0.3) -- some chunks are only half there
+  local text, hash = states.write(g.world:save()), g.world:hash()
+  g.env.world = physics.newWorld()
+  for index in pairs(chunks) do
+    chunks[index] = newChunk(index)
+  end
+  g.env.world:restore(states.read(text))
+  g.env.player = g.env.world.objects.players[1]
+  assert.equal(hash, g.env.world:hash())
+  g.env.player.x, g.env.player.vx = 20000, 0
+  g.run(0.5)
+  local _, y = select(2, g.env.world:raycast(20008, 300, 20008, 900))
+  assert.equal(deeper, y)
+  dig(20000, y + 1)
+  assert.equal(deeper + 16, (select(3, g.env.world:raycast(20008, 300, 20008, 900))))
+end
+
+recipes["Scale and resolution"] = function(snippet)
+  local view, mouseInWorld = play(snippet, "view, mouseInWorld").look()
+  assert.same({ 2, 80, 120 }, { view() }) -- 320 × 180 in 800 × 600
+  assert.same({ 160, 90 }, { mouseInWorld() })
 end
 
 describe("docs/recipes.md:", function()

@@ -36,7 +36,9 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 
 -- path, the value that is put there, what the message says
 local ROWS = {
-  { "version", 0, "state.version must be 7: it is of another version" },
+  { "version", 0, "state.version must be 7, got 0: an older version of the library wrote it" },
+  { "version", 8, "state.version must be 7, got 8: a newer version of the library wrote it" },
+  { "version", 2, "the state is damaged: 1.0.0 has written it" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
   { "settings.gravity", nil, "state.settings.gravity must be a number, got nil" },
@@ -101,6 +103,10 @@ local ROWS = {
   { "gone", 1, "#state.fields.x must be an integer in 11..11, got 10" },
   { "memory.support", { 6, 0 }, "state.memory.support[2] must be an integer in 1..10, got 0" },
   { "events", { 1 }, "#state.events must be" },
+  { "own", false, "state.own must be a list of names of fields, got false" },
+  { "shiftedX", NAN, "state.shiftedX must be a number, got nan" },
+  { "shiftedY", "1", 'state.shiftedY must be a number, got "1"' },
+  { "tiles", { a = 1 }, "state.maps must be a table, got nil" },
   { "events", {}, "state.heardBy must be an integer in 0..0, got 2" },
 }
 
@@ -117,6 +123,43 @@ describe("world:restore, a damaged state", function()
   end
 end)
 
+describe("world:restore, a damaged state of a world with maps", function()
+  for _, row in ipairs({
+    { "maps", nil, "state.maps must be a table, got nil" },
+    { "maps", { a = 1 }, "state.maps.a must be a table, got 1" },
+    { "tiles", nil, "state.tiles must be a table, got nil" },
+    { "tiles.a", 1, "state.tiles.a must be a table, got 1" },
+    { "tiles.a", {}, "state.tiles.a.changes must be a table, got nil" },
+    { "tiles.a", { changes = { 0, 1 } }, "state.tiles.a.changes[1] must be an integer in 1.." },
+    {
+      "tiles.a",
+      { changes = { 2, 1, 1, 1 } },
+      "state.tiles.a.changes[3] must be an integer in 3..",
+    },
+  }) do
+    it("is refused: " .. row[1] .. " = " .. tostring(row[2]), function()
+      local world = physics.newWorld()
+      world:addTiles("earth", { "##" }, nil, 16):setTile(1, 1, 0)
+      local state, hash = states.read(states.write(world:save())), world:hash()
+      put(state, row[1], row[2])
+      refused("physics: world:restore(state): " .. row[3], world, "restore", state)
+      assert.are.equal(hash, world:hash())
+    end)
+  end
+
+  it("is taken where it names cells, boxes or objects that are not there", function()
+    local world = physics.newWorld()
+    local tiles = world:addTiles("earth", { "##" }, nil, 16)
+    local state = states.read(states.write(world:save()))
+    state.tiles =
+      { [next(state.tiles)] = { changes = { 2, {}, 3, "#", 99, "#" } }, b = { changes = {} } }
+    state.loaded = { 1, "b" }
+    world:restore(state)
+    assert.are.same({ 0, "#" }, { tiles.tiles, tiles:getTile(2, 1) })
+    world:update(DT)
+  end)
+end)
+
 describe("world:restore, what is no state", function()
   it("is refused", function()
     local world = newFull()
@@ -124,7 +167,7 @@ describe("world:restore, what is no state", function()
     for text, value in pairs({
       ["state must be a table, got nil"] = false,
       ['state must be a table, got "state"'] = "state",
-      ["state.version must be 7: it is of another version, or no state, got nil"] = {},
+      ["state.version must be 7, got nil: this is no state"] = {},
     }) do
       refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
       assert.are.equal(hash, world:hash())

@@ -363,3 +363,32 @@ describe("world:restore", function()
     assert.equal(host:hash(), client:hash())
   end)
 end)
+
+describe("world:restore, a state of an earlier version", function()
+  it("has the objects, settings and fields of the game as they were: 1.0.0", function()
+    local world = physics.newWorld()
+    local state = dofile("spec/states/1.0.0.lua")
+    local _, new = world:restore(state)
+    local all, zone = world.objects, world.objects.zones[1]
+    assert.same({ 14, 60, false }, { #new, world.soft.mobs.mobs, world.masks.boxes.ghosts })
+    assert.same(
+      { 3, { rope = true }, false },
+      { all.boxes[1].hp, all.boxes[1].bag, all.boxes[1].mask.mobs }
+    )
+    assert.same(
+      { { gravity = 100, drag = 3 }, 5, 0.5 },
+      { zone.area, all.mobs[2].radius, all.floor[1].friction }
+    )
+    assert.same(
+      { 320, -100, 50, 400 },
+      { all.bullets[1].x, all.bullets[1].vx, all.player.vx, all.bounds.right.x }
+    )
+    local rider, lift, tower = all.boxes[1], all.lifts[1], all.boxes[2]
+    local hash, at = world:hash(), rider.x - lift.x
+    world:restore(dofile("spec/states/1.0.0.lua"))
+    assert.same({ hash, rider }, { world:hash(), all.boxes[1] })
+    run(world, 30)
+    assert.same({ 144, 0, 184 }, { rider.y, rider.vx, tower.y })
+    assert.is_true(math.abs(rider.x - lift.x - at) < 0.5)
+  end)
+end)

@@ -7,6 +7,7 @@ local cells = require(root .. ".maps.cells")
 local check = require(root .. ".fields.check")
 local level = require(root .. ".maps.level")
 local properties = require(root .. ".maps.properties")
+local recall = require(root .. ".maps.recall")
 
 local atlas = {}
 
@@ -17,16 +18,18 @@ local atlas = {}
 ---@field y number px
 ---@field width number? px
 ---@field height number? px
----@field level physics.Level? what it has made, nil: it is not there
+---@field level physics.Level? the objects that it has added, nil: it is not there
 
---- What a world of Tiled or LDtk has added: the lists are those of all maps that are there. So are
---- `named`, `byId`, `byIid` and `tileLayers`: the first map that has a name counts. `x`, `y`,
---- `width` and `height` are those of all maps.
+--- The part of a world that a world of Tiled or a project of LDtk has added. The lists are those
+--- of all maps that are there. So are `named`, `byId`, `byIid` and `tileLayers`: the first map that has
+--- a name counts. `x`, `y`, `width` and `height` are those of all maps.
 ---@class physics.Atlas: physics.Level
 ---@field maps physics.AtlasMap[] all maps, also those that are not there
 ---@field map table the decoded world or project
 ---@field package _world physics.World
----@field package _read function see `atlas.new`
+---@field package _readMap function see `atlas.new`
+---@field package _made table<table, table> map -> its level and layers, of those that are there
+---@field package _there table<string, true> names of these
 local Atlas = {}
 Atlas.__index = Atlas
 
@@ -50,26 +53,6 @@ local function join(self, made)
   self.tiles, self.rectangles = self.tiles + made.tiles, self.rectangles + made.rectangles
 end
 
-local function refresh(self)
-  local grids = {}
-  self.tiles, self.rectangles = 0, 0
-  for _, name in ipairs(LISTS) do
-    self[name] = {}
-  end
-  for _, name in ipairs(TABLES) do
-    self[name] = {}
-  end
-  for i, map in ipairs(self.maps) do
-    if map.level then
-      join(self, map.level)
-      map.width, map.height = map.level.width, map.level.height
-    end
-    grids[i] = { column = map.x, row = map.y, width = map.width or 0, height = map.height or 0 }
-  end
-  grids[1] = grids[1] or { column = 0, row = 0, width = 0, height = 0 }
-  self.x, self.y, self.width, self.height = cells.around(grids)
-end
-
 local function find(self, call, name)
   local where, names = "level:" .. call, {}
   check.self(self, Atlas, where, "a level of several maps")
@@ -83,42 +66,87 @@ local function find(self, call, name)
   check.fail(text, where, check.show(name), table.concat(names, ", "))
 end
 
--- Reads maps, and then adds them: all, or none.
-local function add(self, maps)
-  local adds, levels, layers = {}, {}, {}
-  for i, map in ipairs(maps) do
-    levels[i], layers[i], adds[i] = self._read(self._world, map.path, map.options)
+-- Reads those of these maps that are not there. Returns what the maps will have made, see `_set`.
+function Atlas._read(self, isWanted)
+  local made = {}
+  for _, map in ipairs(self.maps) do
+    made[map] = isWanted[map.name] and self._made[map] or nil
+    if isWanted[map.name] and not made[map] then
+      map.options.x, map.options.y = map.x, map.y
+      local loaded, layers, add = self._readMap(self._world, map.path, map.options)
+      made[map] = { level = loaded, layers = layers, add = add }
+    end
   end
-  for i, map in ipairs(maps) do
-    adds[i]()
-    map.level, map.layers = levels[i], layers[i]
+  return made
+end
+
+-- Sets what the maps have made: by map that is there its `level`, the `layers` of its tiles, and
+-- once a function `add`.
+function Atlas._set(self, made)
+  local grids = {}
+  self._made, self._there, self.tiles, self.rectangles = made, {}, 0, 0
+  for _, name in ipairs(LISTS) do
+    self[name] = {}
   end
-  refresh(self)
+  for _, name in ipairs(TABLES) do
+    self[name] = {}
+  end
+  for i, map in ipairs(self.maps) do
+    local its = made[map] or {}
+    local add = its.add
+    map.level, its.add = its.level, nil
+    if add then
+      add()
+    end
+    if map.level then
+      self._there[map.name] = true
+      join(self, map.level)
+      map.width, map.height = map.level.width, map.level.height
+    end
+    grids[i] = { column = map.x, row = map.y, width = map.width or 0, height = map.height or 0 }
+  end
+  grids[1] = grids[1] or { column = 0, row = 0, width = 0, height = 0 }
+  self.x, self.y, self.width, self.height = cells.around(grids)
+end
+
+-- Lets a map be there, or not.
+local function setThere(self, map, isThere)
+  local names = properties.put({}, self._there)
+  names[map.name] = isThere or nil
+  self:_set(self:_read(names))
 end
 
 --- Makes a level of the maps of a world of the editor. Errors: one of them cannot be read.
 ---@param world physics.World
 ---@param maps physics.AtlasMap[]
----@param read function reads a map; returns its level, its tiles, and a function that adds them
+---@param readMap function reads a map; returns its level, its tiles, and a function that adds them
 ---@param isLater boolean? is no map there at first
 ---@param given table? the decoded world
+---@param name string by which a state finds it
 ---@return physics.Atlas
-function atlas.new(world, maps, read, isLater, given)
-  local self = setmetatable({ maps = maps, map = given, _world = world, _read = read }, Atlas)
-  add(self, isLater and {} or maps)
+function atlas.new(world, maps, readMap, isLater, given, name)
+  local self = setmetatable({ maps = maps, map = given, _world = world, _made = {} }, Atlas)
+  self._readMap = readMap
+  local names = {}
+  for _, map in ipairs(maps) do
+    map._baseX, map._baseY = map.x - world._shiftedX, map.y - world._shiftedY
+    names[map.name] = not isLater or nil
+  end
+  self:_set(self:_read(names))
+  recall.mapsOf(world).atlases[name] = self
   return self
 end
 
 --- Adds one map of the world, as its file is. Nothing happens if it is there.
 ---
---- Errors: the world has no map of that name; what `loadTiled` refuses; it is called from inside
+--- Errors: the world has no map of that name; as in `loadTiled`; it is called from inside
 --- `canCollide`. Nothing has changed then.
 ---@param name string as in `level.maps`
----@return physics.Level level what it has made
+---@return physics.Level level the part of the world that it has added
 function Atlas:addMap(name)
   local map = find(self, "addMap(name)", name)
   if not map.level then
-    add(self, { map })
+    setThere(self, map, true)
   end
   return map.level
 end
@@ -133,14 +161,13 @@ function Atlas:removeMap(name)
   if not map.level then
     return false
   end
-  for _, tiles in ipairs(map.layers) do
+  for _, tiles in ipairs(self._made[map].layers) do
     tiles:unload()
   end
   for _, object in ipairs(map.level.objects) do
     self._world:remove(object)
   end
-  map.level, map.layers = nil, nil
-  refresh(self)
+  setThere(self, map, false)
   return true
 end
 

@@ -246,12 +246,8 @@ local function advance(b, work, keep, part, own, dt)
   local lastX, lastY = work.last[0], work.last[1]
   for n = 1, work.count do
     local k, limit, dx, dy = 2 * slot[n], most[n], nowX[n], nowY[n]
-    local square = dx * dx + dy * dy
-    if square > limit * limit then
-      local share = limit / sqrt(square)
-      dx, dy = dx * share, dy * share
-    end
-    dx, dy = lastX[n] * keep + dx * part, lastY[n] * keep + dy * part
+    local share = part * min(limit / max(sqrt(dx * dx + dy * dy), constants.TINY), 1.0)
+    dx, dy = lastX[n] * keep + dx * share, lastY[n] * keep + dy * share
     lastX[n], lastY[n], nowX[n], nowY[n] = dx, dy, 0.0, 0.0
     softSpeed[k], softSpeed[k + 1] = softSpeed[k] + dx, softSpeed[k + 1] + dy
     x[n] = x[n] + (velocity[k] * own + dx) * dt

@@ -78,14 +78,10 @@ end
 -- How an attractor of 1 px/s² at its rim pulls at d radii from its centre.
 local function strength(law, d)
   local far = max(d, CORE)
-  local pull = 1.0
-  if law == "linear" then
-    pull = far
-  elseif law == "inverse" then
-    pull = 1 / far
-  elseif law == "square" then
-    pull = 1 / (far * far)
-  end
+  local pull = law == "linear" and far
+    or law == "inverse" and 1 / far
+    or law == "square" and 1 / (far * far)
+    or 1.0
   return pull * min(d / CORE, 1.0)
 end
 

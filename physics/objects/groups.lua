@@ -1,5 +1,5 @@
 ---@diagnostic disable
---- Compares the game's groups with what was seen of them last: from which place on they differ, and
+--- Compares the game's groups with what was seen of them last: in which places they differ, and
 --- which keys they have.
 --
 -- As long as nothing has changed, that is one comparison an object. Nothing follows the order of
@@ -79,14 +79,13 @@ end
 local function hasOthers(record, count)
   local source, n, known = record.source, 0, min(count, record.count)
   if known > FEW and not record.mixed and rawget(source, count + 1) == nil then
-    local key = known -- keys beyond the last known number follow it
+    local last, key -- keys beyond the last known number follow it
     repeat
-      n, key = key, next(source, key)
-    until key ~= n + 1
-    if key == nil and n == count then
+      last, key = key or known, next(source, key or known)
+    until key ~= last + 1
+    if key == nil and last == count then
       return false
     end
-    n = 0
   end
   for key in next, source, nil do
     n = n + 1

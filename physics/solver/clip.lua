@@ -32,7 +32,7 @@ local walk = require(root .. ".solver.walk")
 
 local clip = {}
 
-local AXIS, APART = constants.AXIS, contacts.APART
+local AXIS, APART, SLANTED = constants.AXIS, contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local neighbours = links.neighbours
 local isBox, isRound, BOX = shapes.isBox, shapes.isRound, shapes.BOX
@@ -100,7 +100,7 @@ end
 -- Adds the half-planes of what box i touches, but for edges of slopes.
 local function addRoom(b, i)
   for _, j, p in neighbours(b, i) do
-    local isContact = b.touches[p] ~= APART and b.contactLow[p] > 0 and limit == DYNAMIC
+    local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and limit == DYNAMIC
     if isContact and not touch.haveFaces(b, i, j) then
       local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i

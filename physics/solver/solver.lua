@@ -28,6 +28,7 @@ local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rounds = require(root .. ".solver.rounds")
+local press = require(root .. ".memory.lazy")(root .. ".solver.press")
 local slant = require(root .. ".memory.lazy")(root .. ".solver.slant")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
@@ -116,8 +117,8 @@ end
 local function pressRound(b, dt, isFirst)
   for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
     local hasNew = isFirst and slant.find(b, n == 1)
-    if hasNew or slant.isViolated(b) then
-      slant.press(b)
+    if hasNew or press.isNeeded(b) then
+      press.run(b)
       settleLate(b, dt, false)
     elseif n > 1 then
       return

@@ -19,6 +19,7 @@ local links = require(root .. ".memory.links")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local read = require(root .. ".objects.read")
 local readFields = require(root .. ".objects.readFields")
+local recall = require(root .. ".memory.lazy")(root .. ".maps.recall")
 local settings = require(root .. ".objects.settings")
 local validate = require(root .. ".state.validate")
 local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
@@ -46,36 +47,41 @@ end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
 -- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
-local function misfit(world, st)
+-- (Of a group of loaded objects that says nothing.)
+local function misfit(world, st, named)
   for _, group in ipairs(st.groups) do
     local members, count = world.objects[group.name], group.count
     local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
     local here = type(members) == "table" and not check.isObject(members) and #members or 0
-    if isNumbered and count ~= here and here > 0 then
+    local isLoaded = named and here > 0 and recall.nameOf(members[1])
+    if isNumbered and count ~= here and here > 0 and not isLoaded then
       local text = "%s has %d objects in the state and %d here: numbers shift, string keys stay"
       return text:format(check.place(group.name), count, here)
     end
   end
 end
 
--- Returns all objects that a state names, by number: if this world has saved it, the same tables,
--- else those at the same places, and new ones. Second: what does not fit (see misfit).
-local function match(world, st)
-  local known = world._bodies.tablesOf and world._bodies.tablesOf[st]
-  if known and #known == st.count + st.gone then
-    return known
-  end
-  local objects, taken = {}, {}
+-- Returns all objects that a state from elsewhere names, by number: those `named`, if the state has
+-- names; those at the same places, unless they have a name; and new ones. Second: what does not fit
+-- (see misfit). Third: the new ones.
+local function match(world, st, named)
+  local objects, taken, new = {}, {}, {}
   forEach(world, st, function(n, owner, key)
     local object = type(owner) == "table" and not check.isObject(owner) and owner[key]
     local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
-    objects[n] = isFit and not taken[object] and object or {}
-    taken[objects[n]] = true
+    if named and (named[n] or isFit and recall.nameOf(object)) then
+      object, isFit = named[n], named[n]
+    end
+    if not isFit or taken[object] then
+      object = {}
+      new[#new + 1] = object
+    end
+    objects[n], taken[object] = object, true
   end)
   for n = st.count + 1, st.count + st.gone do
     objects[n] = {}
   end
-  return objects, misfit(world, st)
+  return objects, misfit(world, st, named), new
 end
 
 -- The game's tables -------------------------------------------------------------------------------
@@ -163,15 +169,26 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
+-- Reads a static object again, if its fields are others.
+local function readStatic(b, i, object)
+  local isStatic = b.kind[i] == STATIC
+  if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
+    read.refresh(b, i)
+  end
+end
+
 -- Reads what `update` would not read again: static objects. Also takes over places and velocities
 -- of the others, so that what is only elsewhere need not be read anew. (Memory has the rest of it.)
+-- Returns the numbers of those that have gone since, but are still known: they have no group yet.
 local function readKnown(b, st, objects)
+  local gone = {}
   for n = 1, st.count do
     local object, i = objects[n], b.slotOf[objects[n]]
-    local isStatic = i and b.kind[i] == STATIC
-    if i and (isStatic or object.static) then
-      if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
-        read.refresh(b, i)
+    if i and (b.kind[i] == STATIC or object.static) then
+      if b.group[i] then
+        readStatic(b, i, object)
+      else
+        gone[#gone + 1] = n
       end
     elseif i then
       local k, written, velocity = 2 * i, b.written, b.velocity -- (`refresh` may make them grow)
@@ -179,6 +196,7 @@ local function readKnown(b, st, objects)
       velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
     end
   end
+  return gone
 end
 
 -- Reads all objects in their old order. If the game has set another `order` since the last step, it
@@ -293,15 +311,23 @@ local function restoreEvents(b, st, objects)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
---- Makes a world what it was when `st` was saved. Returns what does not fit (see misfit), or nil.
---- Errors: a state that cannot be used; then nothing has changed.
+--- Makes a world what it was when `st` was saved. Returns what does not fit, or nil, and the
+--- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has
+--- changed.
 function restore.world(world, st)
-  validate.state(st)
-  local b, slots = world._bodies, {}
+  local b, slots, layers, sentence, new = world._bodies, {}, nil, nil, {}
+  local objects = b.tablesOf and b.tablesOf[st]
+  st = validate.state(st, objects)
+  local isKnown = objects and #objects == st.count + st.gone
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
-  local objects, sentence = match(world, st)
+  if b.maps and (isKnown or st.loaded) then
+    layers = recall.begin(world, st, isKnown and objects)
+  end
+  if not isKnown then
+    objects, sentence, new = match(world, st, layers and recall.find(world, st, layers))
+  end
   forget(b)
   restoreSettings(world, st.settings)
   local some = listSome(st, objects)
@@ -309,8 +335,11 @@ function restore.world(world, st)
     writeField(st, objects, row, not format.isOfAll(row) and some)
   end
   place(world, st, objects)
-  readKnown(b, st, objects)
+  local gone = readKnown(b, st, objects)
   readAll(world, st)
+  for n = 1, #gone do
+    readStatic(b, b.slotOf[objects[gone[n]]], objects[gone[n]])
+  end
   events.forget(b.events)
   b.restored = slots
   for n = 1, st.count do
@@ -326,9 +355,12 @@ function restore.world(world, st)
   if b.hasZones then
     zones.begin(b, b.movers, b.moverCount) -- where "down" is
   end
+  world._shiftedX, world._shiftedY = st.shiftedX or 0, st.shiftedY or 0
+  if layers then
+    recall.finish(world, st, layers, objects)
+  end
   read.outdate(b)
-  world._restores = world._restores + 1
-  return sentence
+  return sentence, new
 end
 
 return restore

@@ -92,6 +92,22 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
     end)
   end
 
+  -- A ball that falls onto others gets a plane in the middle of a step, beside its contact.
+  it("in a heap of elastic balls that others fall on", function()
+    fresh.during(function(physics)
+      guard(require("physics.memory.arrays"))
+      local world = physics.newWorld({ gravity = 800 })
+      world:setBounds(0, 0, 160, 300)
+      for step = 1, 150 do
+        if step % 3 == 0 then
+          local x, radius = 20 + step * 37 % 60, 6 + step % 4
+          world:add("balls", { x = x, y = 20, radius = radius, restitution = 0.4 })
+        end
+        world:update(1 / 60)
+      end
+    end)
+  end)
+
   it("where a method is called for tiles that lie alone, or a state has them ride", function()
     fresh.during(function(physics)
       guard(require("physics.memory.arrays"))

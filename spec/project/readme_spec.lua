@@ -50,6 +50,27 @@ describe("the README", function()
     end
     environment.love.update(1 / 60)
     assert.is_true(player.y < before and player.vx == 0)
+    environment.love.keyboard.isDown = function(key)
+      return key == "left"
+    end
+    environment.love.update(1 / 60)
+    assert.equal(-200, player.vx)
+  end)
+
+  it("names LÖVE in its first sentence", function()
+    assert.truthy(README:match("\n\n([^.]+)"):find("LÖVE", 1, true))
+  end)
+
+  it("has the two commands, and says how they end and how long they take", function()
+    local try, makefile = section("Try it"), snippets.read("Makefile")
+    for command, prints, takes in try:gmatch("\n| `make (%w+)` | ([^|]+) | ([^|]+) |") do
+      assert.truthy(makefile:find("\n" .. command .. ": setup ## ", 1, true), command)
+      assert.truthy(prints:find("`%d+ passed, 0 failed`"), prints)
+      assert.truthy(takes:find("^%d+ min"), takes)
+    end
+    local _, commands = try:gsub("\n| `make %w+`", "")
+    assert.equal(2, commands)
+    assert.truthy(snippets.read("scripts/checks.sh"):find("passed, $failed failed", 1, true))
   end)
 
   it("is short", function()
@@ -83,12 +104,6 @@ describe("the README", function()
       end
     end
     assert.is_true(rows >= 15, rows .. " rows")
-  end)
-
-  it("names the rockspec of this version", function()
-    local path = "rockspec/physics-" .. physics._VERSION .. "-1.rockspec"
-    snippets.read(path)
-    assert.truthy(README:find(path, 1, true))
   end)
 
   it("links every page of docs/", function()

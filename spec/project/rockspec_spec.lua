@@ -1,18 +1,21 @@
--- The rockspecs and the changelog repeat what the files say; here they are compared.
+-- The rockspec repeats what the files say; here they are compared. And the address of the project
+-- stands in the rockspec alone (scripts/publish.lua).
 
 local files = require("spec.support.files")
+local publish = require("scripts.publish")
 
 local read = files.read
-local ROCKSPEC = "rockspec/physics-1.0.0-1.rockspec"
-local UNRELEASED = "rockspec/physics-scm-1.rockspec"
+local ROCKSPEC = "rockspec/physics-scm-1.rockspec"
+local ADDRESS = "https://github.com/Owner/name"
+local ADDRESSED = read(ROCKSPEC):gsub('url = "[^"]*"', 'url = "git+' .. ADDRESS .. '"', 1)
 
--- A rockspec is Lua that assigns globals. Read it into a table, whatever the version of Lua.
-local function readRockspec(path)
+-- A rockspec is Lua that assigns globals. Reads its text into a table, whatever the version of Lua.
+local function run(text)
   local found = {}
   if setfenv then -- luacheck: ignore
-    setfenv(assert(loadstring(read(path))), found)() -- luacheck: ignore
+    setfenv(assert(loadstring(text)), found)() -- luacheck: ignore
   else
-    assert(load(read(path), path, "t", found))() -- luacheck: ignore
+    assert(load(text, ROCKSPEC, "t", found))()
   end
   return found
 end
@@ -27,36 +30,80 @@ local function modulesOnDisk()
 end
 
 describe("the rockspec", function()
-  for _, path in ipairs({ ROCKSPEC, UNRELEASED }) do
-    it("installs every file of the library: " .. path .. " #files", function()
-      assert.same(modulesOnDisk(), readRockspec(path).build.modules)
-    end)
-  end
-
-  it("has the version of the library", function()
-    local rockspec = readRockspec(ROCKSPEC)
-    local version = require("physics")._VERSION
-    assert.equal(version .. "-1", rockspec.version)
-    assert.equal("v" .. version, rockspec.source.tag)
-    assert.equal("rockspec/physics-" .. rockspec.version .. ".rockspec", ROCKSPEC)
-  end)
-
-  it("of what is unreleased says the same, but for the version and its place", function()
-    local released, unreleased = readRockspec(ROCKSPEC), readRockspec(UNRELEASED)
-    assert.equal("scm-1", unreleased.version)
-    assert.equal(released.source.url, unreleased.source.url)
-    assert.is_nil(unreleased.source.tag)
-    for _, rockspec in ipairs({ released, unreleased }) do
-      rockspec.version, rockspec.source = nil, nil
-    end
-    assert.same(released, unreleased)
+  it("installs every file of the library #files", function()
+    assert.same(modulesOnDisk(), run(read(ROCKSPEC)).build.modules)
   end)
 
   it("allows the Lua that runs this", function()
-    local least, below =
-      readRockspec(ROCKSPEC).dependencies[1]:match("^lua >= ([%d.]+), < ([%d.]+)$")
+    local least, below = run(read(ROCKSPEC)).dependencies[1]:match("^lua >= ([%d.]+), < ([%d.]+)$")
     local running = tonumber(_VERSION:match("%d+%.%d+"))
     assert.is_true(running >= tonumber(least) and running < tonumber(below))
+  end)
+
+  it(
+    "of a release says the same, but for version, tag and what follows from the address",
+    function()
+      local main, release = run(ADDRESSED), run(publish.rockspec("1.2.3", ADDRESSED))
+      assert.same({ url = "git+" .. ADDRESS, tag = "v1.2.3" }, release.source)
+      assert.equal("1.2.3-1", release.version)
+      assert.equal(ADDRESS, release.description.homepage)
+      assert.equal(ADDRESS .. "/issues", release.description.issues_url)
+      release.version, release.source = main.version, main.source
+      release.description.homepage, release.description.issues_url = nil, nil
+      assert.same(main, release)
+    end
+  )
+end)
+
+describe("publishing", function()
+  local readme = ("%s/releases/latest/download/physics.lua %s/issues %s"):format(
+    ADDRESS,
+    ADDRESS,
+    "https://owner.github.io/name/"
+  )
+
+  local function left(change)
+    local state = {
+      rockspec = ADDRESSED,
+      version = "1.2.3",
+      changelog = "# Changelog\n\n## 1.2.3 - 2030-01-02\n",
+      readme = readme,
+      tags = "other\nv1.2.3\n",
+    }
+    for name, value in pairs(change) do
+      state[name] = value
+    end
+    return publish.left(state)
+  end
+
+  it("has nothing left to do if all is there", function()
+    assert.same({}, left({}))
+  end)
+
+  for name, row in pairs({
+    rockspec = {
+      ADDRESSED:gsub('url = "[^"]*"', 'url = ""'),
+      "rockspec/physics-scm-1.rockspec: set source.url",
+    },
+    version = { "1.2.4-dev", "physics.lua: _VERSION is 1.2.4-dev" },
+    changelog = { "# Changelog\n\n## Unreleased\n", "CHANGELOG.md: begin with the version" },
+    readme = { "no links", "README.md: link " .. ADDRESS .. "/releases" },
+    tags = { "v1.2.30\n", "git: the last commit needs the tag v1.2.3" },
+  }) do
+    it("names what is missing of " .. name, function()
+      assert.equal(row[2], left({ [name] = row[1] })[1]:sub(1, #row[2]))
+    end)
+  end
+
+  it("finds the address in the rockspec alone #files", function()
+    for _, path in
+      ipairs(files.list("git ls-files -- '*.md' '*.yml' '*.py' '*.mjs' '*.lua' '*.html'"))
+    do
+      local text = read(path)
+      local found = text:match("github%.com/[%w-]+/physics%.lua")
+        or text:match("github%.io/physics%.lua")
+      assert.is_true(path == "README.md" or not found, path)
+    end
   end)
 end)
 
@@ -64,6 +111,7 @@ describe("the changelog", function()
   it("tells what is unreleased first, or the version of the library", function()
     local first = read("CHANGELOG.md"):match("\n## ([^\n]+)")
     local version = require("physics")._VERSION
+    assert.equal(first == "Unreleased", version:find("%-dev$") ~= nil)
     assert.is_true(first == "Unreleased" or first:match("^[%d%.]+") == version)
   end)
 end)

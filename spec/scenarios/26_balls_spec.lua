@@ -402,7 +402,7 @@ describe("radius and slope: a marble", function()
 end)
 
 describe("radius, strength and mass: a round player", function()
-  it("has nobody in it that walks along a wall through a crowd of circles", function()
+  it("contains no object that walks along a wall through a crowd of circles", function()
     for _, rate in ipairs({ 30, 60 }) do
       local random, world, list = newRandom(4), physics.newWorld({ gravity = 0 }), {}
       world:add("walls", tile(800, 0, 24, 900))

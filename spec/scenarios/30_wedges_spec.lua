@@ -1,4 +1,4 @@
---- Wedges: rooms that a slope narrows. What stands still crushes nobody, and lets everybody out.
+--- Wedges: rooms that a slope narrows. Objects that stand still crush none, and let all objects out.
 
 local physics = require("physics")
 local small = require("spec.support.small")

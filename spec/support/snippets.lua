@@ -2,6 +2,7 @@
 
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
+local states = require("spec.support.states")
 
 local snippets = {}
 
@@ -41,8 +42,11 @@ function snippets.newLove(held)
   local size = always(800)
   local font = { getWidth = size, getHeight = size }
   local graphics = { getWidth = size, getDimensions = always(800, 600), newFont = always(font) }
+  graphics.newCanvas = always({ setFilter = size })
   local love = { graphics = setmetatable(graphics, { __index = always(always(1, 1, 1, 1)) }) }
+  local written = {} -- by name, what was written into the save folder
   love.keyboard, love.filesystem = {}, { getInfo = always({}) }
+  love.mouse = { getPosition = always(400, 300) }
   function love.keyboard.isDown(key)
     return held[key] or false
   end
@@ -50,7 +54,12 @@ function snippets.newLove(held)
     return loadfile("spec/" .. path)
   end
   function love.filesystem.read(path)
-    return assert(path == "maps/cave.ldtk" and "its text")
+    local text = written[path] or assert(path == "maps/cave.ldtk" and "its text")
+    return text, #text
+  end
+  function love.filesystem.write(path, text)
+    written[path] = text
+    return true
   end
   return love
 end
@@ -78,11 +87,20 @@ function snippets.newEnvironment(printed, held)
     end
     printed[#printed + 1] = table.concat(texts, " ")
   end
-  function environment.require(name)
-    if name == "dkjson" then
-      return { decode = ldtk.cave }
+  -- As dkjson: its second argument is where the value begins.
+  local function decode(_, first)
+    if (first or 1) > 1 then
+      return nil, first, "no valid JSON value at line 1, column " .. first
     end
-    return require(name:find("^kit%.") and "examples." .. name or name)
+    return ldtk.cave()
+  end
+  local libraries = {
+    binser = { serialize = states.write, deserializeN = states.read },
+    dkjson = { decode = decode },
+  }
+  function environment.require(name)
+    local path = name:find("^kit%.") and "examples." .. name or name
+    return libraries[name] or require(path)
   end
   world:update(1 / 60)
   return setmetatable(environment, { __index = _G })

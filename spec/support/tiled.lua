@@ -274,8 +274,8 @@ local function listProperties(owner)
   owner.properties = list[1] and list or nil
 end
 
-local function writeObjects(layer)
-  for _, object in ipairs(layer.objects or {}) do
+local function writeObjects(owner)
+  for _, object in ipairs(owner.objects or {}) do
     listProperties(object)
     if SHAPES[object.shape] then
       object[object.shape] = true
@@ -285,11 +285,11 @@ local function writeObjects(layer)
 end
 
 local function writeLayers(layers)
-  for _, layer in ipairs(layers) do
-    listProperties(layer)
-    writeObjects(layer)
-    writeLayers(layer.layers or {})
-    layer.encoding = layer.encoding ~= "lua" and layer.encoding or nil
+  for _, inner in ipairs(layers) do
+    listProperties(inner)
+    writeObjects(inner)
+    writeLayers(inner.layers or {})
+    inner.encoding = inner.encoding ~= "lua" and inner.encoding or nil
   end
 end
 

@@ -9,12 +9,17 @@ import json
 import posixpath
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 from urllib.parse import quote
 
 ROOT = Path(__file__).resolve().parents[2]
-REPOSITORY = "https://github.com/physics-lua/physics.lua"
+
+# The address of the repository, or "": what needs it is left out then (scripts/publish.lua).
+REPOSITORY = subprocess.run(
+    ["luajit", "scripts/publish.lua", "address"], cwd=ROOT, check=True, capture_output=True, text=True
+).stdout.strip()
 
 # Files of the repository that are pages, too, and the places of these in the site.
 PAGES = {
@@ -43,8 +48,7 @@ MENU = [
         "api.md", "api/fields.md", "api/settings.md", "api/world.md", "api/queries.md", "api/maps.md", "api/types.md",
     ]),
     ("More", [
-        "compare.md", "faq.md", "where-it-runs.md", "coming-from.md", "glossary.md", "performance.md", "reliability.md",
-        "size.md",
+        "compare.md", "faq.md", "where-it-runs.md", "coming-from.md", "performance.md", "reliability.md", "size.md",
         ("For developers", ["architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md"]),
     ]),
 ]
@@ -61,15 +65,18 @@ WORDS = {
     "guide/motion.md#zones": ["Swim", "Swimming", "Buoyancy", "Underwater"],
     "guide/objects.md#adding-and-removing": ["Object pooling", "Object pool"],
     "guide/sprites.md": ["Particles", "Particle system"],
-    "guide/steps.md": ["Delta time", "deltaTime", "Slow motion", "Bullet time"],
-    "index.md#install": ["License", "Licence", "Mobile", "Android", "iOS", "Web", "Browser", "HTML5"],
+    "guide/steps.md": ["Delta time", "deltaTime"],
+    "index.md#install": ["License", "Licence"],
     "platformers.md#slopes": ["Steep slope", "Max slope angle", "floor_max_angle"],
-    "platformers.md#step-5": ["Jump buffer", "Buffered jump"],
-    "recipes.md#camera": ["Scaling", "Scale", "Resolution", "Fullscreen", "Pixel perfect", "Screen shake"],
+    "platformers.md#step-5": ["Buffered jump"],
+    "recipes.md#camera": ["Screen shake"],
     "recipes.md#knock-back": ["Knockback", "Hitstun", "Stun"],
+    "recipes.md#pause-and-slow-motion": ["Slow motion", "Bullet time", "Time scale"],
     "recipes.md#portals": ["Wrap", "Screen wrap", "Wrap around"],
+    "recipes.md#scale-and-resolution": ["Scaling", "Fullscreen", "Pixel perfect"],
     "recipes.md#sokoban": ["Grid movement", "Tile based movement", "Turn based"],
     "recipes.md#sword": ["Attack", "Melee"],
+    "where-it-runs.md": ["Mobile", "Android", "iOS", "Web", "Browser", "HTML5", "Console", "Steam Deck"],
 }
 
 EXAMPLE = """\
@@ -86,7 +93,7 @@ EXAMPLE = """\
 
 ## Source {{ data-search-exclude }}
 
-`examples/{name}.lua`. It needs beside it, from the folder [examples]({repository}/tree/HEAD/examples): {beside}.
+`examples/{name}.lua`. It needs beside it, from the folder {folder}: {beside}.
 
 <div data-no-try markdown>
 
@@ -128,7 +135,7 @@ DESCRIPTIONS = {
     "guide/index.md": "The ten ideas of physics.lua, and where each is explained.",
     "performance.md": "What a step costs, beside love.physics and bump.lua, and how to measure your game.",
     "size.md": "How large the library is, how long it loads and what an object takes, beside bump.lua.",
-    "glossary.md": "The words of this manual, each in a line.",
+    "where-it-runs.md": "Phones, browsers, Windows, macOS, Linux, Steam Deck and consoles: what was tried, what is known.",
 }
 
 # How early the search shows a page; 1 is usual. Pages for developers come last.
@@ -142,7 +149,7 @@ HERO = """\
 </div>
 <p class="hero-words">{words}</p>
 <p class="hero-links">
-<a href="{repository}/releases/latest/download/physics.lua">Download one file</a>
+<a href="playground/physics.lua" download>Download one file</a>
 <a href="examples/">Play the examples</a>
 <a href="playground/">Playground</a>
 <a href="guide/">Manual</a>
@@ -204,7 +211,8 @@ def space_lists(markdown):
 
 
 def lead(target, source):
-    """Where a link of a file of the repository leads in the site."""
+    """Where a link of a file of the repository leads in the site. Without an address of the
+    repository some lead to NOWHERE; translate takes these away."""
     path, mark, anchor = target.partition("#")
     place = posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
     page = PAGES.get(source, source.removeprefix("docs/"))
@@ -216,7 +224,7 @@ def lead(target, source):
         inside = place.removeprefix("docs/")
     else:
         kind = "tree" if (ROOT / place).is_dir() else "blob"
-        return f"{REPOSITORY}/{kind}/HEAD/{place}{mark}{anchor}"
+        return f"{REPOSITORY}/{kind}/HEAD/{place}{mark}{anchor}" if REPOSITORY else "NOWHERE"
     return posixpath.relpath(inside, posixpath.dirname(page) or ".") + mark + anchor
 
 
@@ -296,7 +304,7 @@ def add_hero(markdown):
     video = markdown[picture : markdown.index("</video>") + len("</video>")]
     end = markdown.index("```lua")
     words = re.search(r"^\*(.+)\*$", markdown[picture:end], re.MULTILINE)[1]
-    hero = HERO.format(repository=REPOSITORY, video=video, words=words, keys=keys_of("hills"))
+    hero = HERO.format(video=video, words=words, keys=keys_of("hills"))
     return markdown[:picture] + hero + "\n" + markdown[end:]
 
 
@@ -329,6 +337,7 @@ def add_videos(markdown, page):
 
 
 LINK = re.compile(r'(\]\()([^)\s#:][^)\s:]*)(?=\)|\s+"[^"]*"\))')
+LINK_TO_NOWHERE = re.compile(r'\[([^\[\]]*)\]\(NOWHERE\)')
 CODE = re.compile(r"(`+[^`]*`+)")
 
 
@@ -346,7 +355,7 @@ def translate(markdown, source):
                 # In a table GitHub wants "\\|" also inside of code, Python's Markdown shows it.
                 for i in range(1, len(parts), 2):
                     parts[i] = parts[i].replace("\\|", "|")
-            line = "".join(parts)
+            line = LINK_TO_NOWHERE.sub(r"\1", "".join(parts))
         lines.append(line)
     return "\n".join(lines)
 
@@ -416,7 +425,8 @@ def write_examples(write):
         if not (ROOT / f"docs/pictures/{name}.png").exists():
             fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
         source = read(f"examples/{name}.lua").rstrip()
-        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "quoted": quote(keys_of(name)), "beside": beside(name), "repository": REPOSITORY}
+        folder = translate("[examples](examples)", "README.md")
+        values = {"name": name, "title": title, "text": text, "keys": keys_of(name), "quoted": quote(keys_of(name)), "beside": beside(name), "folder": folder}
         comment = head_comment(source) + (lessons() if name == "tutorial" else "")
         write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
         cards.append(CARD.format(**values))
@@ -496,7 +506,11 @@ def main():
     write("playground.md", PLAYGROUND)
     (target / "words.json").write_text(json.dumps(words), encoding="utf-8")
     menu = json.dumps(make_menu(pages), ensure_ascii=False, indent=2)
-    (target / "mkdocs.yml").write_text(f"{read('web/site/mkdocs.yml')}\nnav: {menu}\n", encoding="utf-8")
+    owner, name = REPOSITORY.split("/")[-2:] if REPOSITORY else ("", "")
+    site = f"https://{owner.lower()}.github.io/{name}/"
+    addresses = f"repo_url: {REPOSITORY}\nsite_url: {site}\n" if REPOSITORY else ""
+    text = f"{read('web/site/mkdocs.yml')}\n{addresses}nav: {menu}\n"
+    (target / "mkdocs.yml").write_text(text, encoding="utf-8")
 
 
 main()

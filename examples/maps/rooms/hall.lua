@@ -9,7 +9,7 @@ return {
   tilewidth = 16,
   tileheight = 16,
   nextlayerid = 5,
-  nextobjectid = 11,
+  nextobjectid = 12,
   properties = {},
   tilesets = {
     {
@@ -1520,6 +1520,19 @@ return {
           y = 256,
           width = 16,
           height = 16,
+          rotation = 0,
+          visible = true,
+          properties = {},
+        },
+        {
+          id = 11,
+          name = "",
+          type = "Flag",
+          shape = "rectangle",
+          x = 404,
+          y = 256,
+          width = 10,
+          height = 32,
           rotation = 0,
           visible = true,
           properties = {},

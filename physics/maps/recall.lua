@@ -1,0 +1,249 @@
+---@diagnostic disable
+--- What a world knows of its maps, and what a state holds of them: which maps of a level of several
+--- are there, by which name each object was loaded, and what was dug. So a state finds its objects
+--- in a world that has loaded the same maps anew, too.
+---
+--- Objects are named by their map, its place (as before any `world:shift`) and their id in the
+--- editor; those of tiles by their cells. Layers that are out of the world, as `unload` leaves
+--- them, are in no state.
+
+local root = (...):match("^(.*)%.maps%.")
+local cells = require(root .. ".maps.cells")
+local keyOrder = require(root .. ".memory.keyOrder")
+local properties = require(root .. ".maps.properties")
+
+local max, min = math.max, math.min
+
+local recall = {}
+
+--- Returns what a world knows of its maps, by name: layers of tiles that are in it, and those that
+--- are not, as long as the game has them; levels of several maps.
+function recall.mapsOf(world)
+  local b = world._bodies
+  if not b.maps then
+    local away = setmetatable({}, { __mode = "v" })
+    b.maps = { here = {}, away = away, atlases = {}, objects = {}, names = {} }
+  end
+  return b.maps
+end
+
+local mapsOf = recall.mapsOf
+
+--- Returns by which name and as which record (its field `tile`, `tiled` or `ldtk`) an object was
+--- loaded; nil: it was not.
+function recall.nameOf(object)
+  if type(object) ~= "table" then
+    return nil
+  end
+  local record = rawget(object, "tiled") or rawget(object, "tile") or rawget(object, "ldtk")
+  if type(record) == "table" and rawequal(record._object, object) then
+    if not record._name then
+      local size = (" %.0f %dx%d"):format(record._order, record.columns, record.rows)
+      record._name = record.tiles._name .. size
+    end
+    return record._name, record
+  end
+end
+
+local nameOf = recall.nameOf
+
+--- Notes that a layer of tiles is in the world, or is not.
+function recall.setHere(layer, isHere)
+  local maps, name = mapsOf(layer.world), layer._name
+  maps.here[name], maps.away[name] = isHere and layer or nil, not isHere and layer or nil
+end
+
+-- Returns whether a layer has objects.
+local function isLiving(layer)
+  return layer and (layer._waiting[1] or cells.inWorld(layer)[1])
+end
+
+--- Notes what a map has made.
+---@param world table
+---@param made table `objects`; `_x`, `_y`: px, where the map is
+---@param layers physics.Tiles[]
+---@param waiting physics.Object[]? those that are not a part of the world yet
+function recall.enter(world, made, layers, waiting)
+  local here, x, y = mapsOf(world).here, world._shiftedX, world._shiftedY
+  local place = (" %.17g %.17g"):format(made._x - x, made._y - y)
+  for _, object in ipairs(made.objects) do
+    local record = object.tiled or object.ldtk
+    if record and not record.tiles then
+      record._name, record._object = record._name .. place, object
+    end
+  end
+  for _, layer in ipairs(layers) do
+    layer.world, layer._isAway, layer._isSorted = world, waiting ~= nil, true
+    layer._x, layer._y, layer._name = layer._x - x, layer._y - y, layer._name .. place
+    cells.place(layer, x, y)
+    while isLiving(here[layer._name]) do
+      layer._name = layer._name .. "+"
+    end
+    layer._waiting = waiting or {}
+    for _, object in ipairs(layer._waiting) do
+      layer._isWaiting[object] = true
+    end
+    recall.setHere(layer, not waiting)
+  end
+end
+
+--- Brings maps, tiles, and those of their objects that wait, to where the world is now.
+function recall.place(world)
+  local maps, x, y = mapsOf(world), world._shiftedX, world._shiftedY
+  for _, list in ipairs({ maps.here, maps.away }) do
+    for _, layer in next, list, nil do
+      cells.place(layer, x, y)
+    end
+  end
+  for _, atlas in next, maps.atlases, nil do
+    for _, map in ipairs(atlas.maps) do
+      map.x, map.y = map._baseX + x, map._baseY + y
+    end
+  end
+end
+
+-- Saving ------------------------------------------------------------------------------------------
+
+-- Returns what a state holds of a layer: the same table until that changes.
+local function snapshotOf(layer)
+  if not layer._snapshot then
+    local changes, isPart = {}, next(layer._isWaiting) ~= nil
+    for n, index in ipairs(keyOrder.sorted(layer._source)) do
+      changes[2 * n - 1], changes[2 * n] = index, cells.valueAt(layer, index)
+    end
+    layer._snapshot = { changes = changes, isPart = isPart, isAway = layer._isAway }
+  end
+  return layer._snapshot
+end
+
+-- Lists which objects have a name. (Which one has which is looked up only where there is another
+-- object than at the last time.)
+local function saveNames(maps, loaded, objects, count)
+  local known, names, at = maps.objects, maps.names, 0
+  for n = 1, count do
+    if not rawequal(known[n], objects[n]) then
+      known[n], names[n] = objects[n], nameOf(objects[n]) or false
+    end
+    if names[n] then
+      loaded[at + 1], loaded[at + 2], at = n, names[n], at + 2
+    end
+  end
+  for k = max(#known, #loaded), min(count, at) + 1, -1 do
+    known[k], loaded[k] = k <= count and known[k] or nil, k <= at and loaded[k] or nil
+  end
+end
+
+--- Adds to the state `out` what it holds of maps (see state/format). `tables` gets what the same
+--- world needs to go back.
+function recall.save(world, out, objects, tables)
+  local maps = mapsOf(world)
+  saveNames(maps, out.loaded, objects, out.count)
+  out.tiles, out.maps, tables.layers, tables.made = {}, {}, {}, {}
+  for name, layer in next, maps.here, nil do
+    out.tiles[name], tables.layers[name] = snapshotOf(layer), layer
+  end
+  for name, atlas in next, maps.atlases, nil do
+    out.maps[name], tables.made[name] = atlas._there, atlas._made
+  end
+end
+
+-- Restoring ---------------------------------------------------------------------------------------
+
+-- Digs and builds until a layer has the cells of a state. (A value may be gone from the source.)
+local function digTo(layer, changes)
+  local goal = properties.put({}, layer._source)
+  for at = 1, #changes, 2 do
+    goal[changes[at]] = changes[at + 1]
+  end
+  for _, index in ipairs(keyOrder.sorted(goal)) do
+    if pcall(cells.listOf, layer, goal[index], "") then
+      cells.set(layer, index, goal[index])
+    end
+  end
+end
+
+--- Brings the maps and the cells of a world to what they were in a state. Returns its layers by
+--- name. Errors: a map cannot be read; nothing has changed then.
+---@param tables table? see `save`, of a state of this world
+function recall.begin(world, st, tables)
+  local maps, layers, made = mapsOf(world), {}, tables and tables.made or {}
+  for _, name in ipairs(tables and {} or keyOrder.sorted(maps.atlases)) do
+    made[name] = maps.atlases[name]:_read(st.maps[name] or {})
+  end
+  for name, atlas in next, maps.atlases, nil do
+    atlas:_set(made[name] or {})
+  end
+  for name in next, st.tiles or {}, nil do
+    layers[name] = tables and tables.layers[name] or maps.here[name] or maps.away[name]
+  end
+  for name, layer in next, maps.here, nil do
+    if layers[name] ~= layer then
+      layer:unload()
+    end
+  end
+  for name, layer in next, layers, nil do
+    if layer._snapshot ~= st.tiles[name] then
+      digTo(layer, st.tiles[name].changes)
+    end
+  end
+  return layers
+end
+
+-- Notes the objects of a list that were loaded, by name. `isOfLevel`: but for tiles, which may have
+-- been dug out.
+local function addNames(byName, list, isOfLevel)
+  for i = 1, type(list) == "table" and #list or 0 do
+    local name, record = nameOf(list[i])
+    if name and not (isOfLevel and record.tiles) then
+      byName[name] = byName[name] or list[i]
+    end
+  end
+end
+
+--- Returns the objects that a state from elsewhere names, by number.
+---@param layers table<string, physics.Tiles> see `begin`
+function recall.find(world, st, layers)
+  local byName, named = {}, {}
+  for _, atlas in next, mapsOf(world).atlases, nil do
+    addNames(byName, atlas.objects, true) -- what has left the world is its map's, too
+  end
+  for _, members in next, world.objects, nil do
+    addNames(byName, members)
+  end
+  for _, layer in next, layers, nil do
+    for object in next, layer._isWaiting, nil do
+      byName[nameOf(object)] = object
+    end
+  end
+  for at = 1, #st.loaded, 2 do
+    named[st.loaded[at]] = byName[st.loaded[at + 1]]
+  end
+  return named
+end
+
+--- Records which objects of tiles are in the world, and which ones wait. `objects`: those of the
+--- state.
+function recall.finish(world, st, layers, objects)
+  local others = {} -- by layer that has changed: the objects that it had
+  for name, layer in next, layers, nil do
+    others[layer] = layer._snapshot ~= st.tiles[name] and cells.clear(layer) or nil
+    recall.setHere(layer, true)
+  end
+  recall.place(world)
+  for n = 1, next(others) and st.count or 0 do
+    local _, record = nameOf(objects[n])
+    if record and others[record.tiles] then
+      cells.register(record.tiles, objects[n])
+    end
+  end
+  for layer, list in next, others, nil do
+    local snapshot = st.tiles[layer._name]
+    layer._dx, layer._dy = cells.drift(layer)
+    for object in next, snapshot.isPart and list or {}, nil do
+      cells.waitAgain(layer, object)
+    end
+    layer._isAway, layer._snapshot, layer._leaving = snapshot.isAway, snapshot, nil
+  end
+end
+
+return recall

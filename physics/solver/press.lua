@@ -1,0 +1,446 @@
+---@diagnostic disable
+--- Press: keeps the pairs that touch slanted on their sides of their planes (see slant), all
+--- together.
+--
+-- Let x be the places at the end of the step, m the masses. Wanted are the nearest places, those
+-- that minimise the sum of m (x' - x)², with  n · (x'one - x'other) >= least  for each plane. They
+-- are found row by row: a row that is violated gets a push `l` along its normal, which moves `one`
+-- by l n / m and `other` by -l n / m. A push is >= 0 in all, and is taken back where later ones
+-- prove it too much.
+--
+--       ( )             1. PASSES over the rows, from below to above. The rows are the planes, and the
+--      ( )( )              contacts along an axis of the same bodies.
+--     ( )( )( )         2. Immovable bodies have the last word: each body ends at the nearest place in
+--   ##############         front of all that stop it (`leaveWalls`), which passes alone reach slowly.
+--                       3. The same with the speeds, for the rows that touch at the end: they must not
+--                          close. The speed along the tangent is kept.
+--                       4. Under gravity SHOCKS more, in which the lower one of two does not give way,
+--                          so that a heap does not sink.
+--
+-- Only bodies that are connected with something new or violated are solved again. Contacts along an
+-- axis are settled before and after.
+--
+-- Source: projected Gauss-Seidel (J. J. Moreau, 1999; E. Catto, Iterative Dynamics with Temporal
+-- Coherence, 2005), on places and then on speeds.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".narrowphase.ball")
+local constants = require(root .. ".memory.constants")
+local heap = require(root .. ".overlaps.heap")
+local links = require(root .. ".memory.links")
+local pairFinder = require(root .. ".broadphase.pairFinder")
+local path = require(root .. ".motion.path")
+local planes = require(root .. ".space.planes")
+local slant = require(root .. ".solver.slant")
+local sort = require(root .. ".memory.sort")
+local yielding = require(root .. ".narrowphase.yielding")
+
+local press = {}
+
+local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
+local along = slant.along
+local max, min, sqrt = math.max, math.min, math.sqrt
+-- Passes over the rows, and those after them in which the lower one does not give way.
+local PASSES, SHOCKS = 16, 6
+-- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
+-- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
+local EAGER = 1.2
+-- Share of its size by which a body is pushed, more than it moves.
+local FURTHEST = 0.35
+-- Share of the smaller size that two are in each other after all passes, or would be in the next
+-- step, if there is no room.
+local JAMMED = 0.05
+-- Share of a normal along gravity from which on one of two is above the other.
+local ABOVE = 0.1
+-- px by which a body may be in something immovable where the step begins.
+local ROOM = 0.1
+
+-- Rows --------------------------------------------------------------------------------------------
+
+-- Puts the planes in order: from below to above, then in the order of the world.
+local function arrange(b)
+  local s, base = b.slants, b.slants.base
+  for c = s.kept + 1, s.count do
+    base[c] = c
+  end
+  s.kept = s.count
+  sort.by(base, s.count, s.height, s.first, s.second)
+end
+
+-- Returns by how much the two of row c end nearer to each other than they may be, px.
+local function depthOf(b, c)
+  local s = b.slants
+  return s.least[c] - along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
+end
+
+local function needsPress(b, c)
+  local s = b.slants
+  return s.isNew[c] or depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
+end
+
+--- Returns whether there is a new plane, or one that is violated.
+function press.isNeeded(b)
+  for c = 1, b.slants.count do
+    if needsPress(b, c) then
+      return true
+    end
+  end
+  return false
+end
+
+-- Marks both of two if one of them is marked, and both are dynamic.
+local function reach(b, i, j)
+  local s = b.slants
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if areDynamic and (s.mark[i] == s.stamp or s.mark[j] == s.stamp) then
+    s.mark[i], s.mark[j] = s.stamp, s.stamp
+  end
+end
+
+-- Marks the dynamic bodies of planes that are new or violated, and what touches these, directly or
+-- through others. All else is solved already, and does not depend on what happens here.
+local function spread(b)
+  local s, kind, base = b.slants, b.kind, b.slants.base
+  for c = 1, s.count do
+    if needsPress(b, c) then
+      local i, j = s.one[c], s.other[c]
+      s.isNew[c] = false
+      s.mark[i], s.mark[j] =
+        kind[i] == DYNAMIC and s.stamp or 0, kind[j] == DYNAMIC and s.stamp or 0
+    end
+  end
+  for pass = 0, 7 do
+    local list, isBack = b.contacts[pass % 2], pass % 4 > 1
+    for n = 1, s.count do
+      local c = base[isBack and s.count + 1 - n or n]
+      reach(b, s.one[c], s.other[c])
+    end
+    for n = 1, list.count do
+      local c = isBack and list.count + 1 - n or n
+      reach(b, (list.low[c] - list.axis) * 0.5, (list.high[c] - list.axis) * 0.5)
+    end
+  end
+end
+
+local function addRow(s, c)
+  s.rows = s.rows + 1
+  s.order[s.rows] = c
+end
+
+-- Adds a contact along an axis as row c, if it presses a marked body. Returns whether it does.
+local function addContact(b, list, n, c)
+  local s, kl, kh, axis = b.slants, list.low[n], list.high[n], list.axis
+  local i, j = (kh - axis) * 0.5, (kl - axis) * 0.5
+  local closing, accel = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
+  local bounces = list.elastic[n] == 1 and yielding.bounces(closing, accel, 2 * b.dt)
+  local isIn = s.mark[i] == s.stamp or s.mark[j] == s.stamp
+  if not isIn or bounces or b.squeezed[kl] ~= 0 or b.squeezed[kh] ~= 0 then
+    return false
+  end
+  s.pair[c], s.one[c], s.other[c] = list.pair[n], i, j
+  s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
+  s.push[c], s.impulse[c], s.slop[c] = 0.0, 0.0, EPSILON
+  s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
+  addRow(s, c)
+  return true
+end
+
+-- Lists the rows to be solved: planes, and behind them the contacts along an axis of the same
+-- bodies.
+local function listRows(b)
+  local s, last = b.slants, b.slants.count
+  s.rows, s.stamp = 0, s.stamp + 1
+  arrange(b)
+  spread(b)
+  for n = 1, s.count do
+    local c = s.base[n]
+    if s.mark[s.one[c]] == s.stamp or s.mark[s.other[c]] == s.stamp then
+      addRow(s, c)
+    end
+  end
+  for axis = 0, 1 do
+    for n = 1, b.contacts[axis].count do
+      last = addContact(b, b.contacts[axis], n, last + 1) and last + 1 or last
+    end
+  end
+  sort.by(s.order, s.rows, s.height, s.first, s.second)
+end
+
+-- Passes ------------------------------------------------------------------------------------------
+
+-- Returns by how much a push of 1 along a normal moves slot i, with its inverse masses ix, iy. A
+-- body that is not pushable and that the game drives is held back along its own way only: it is
+-- stopped, but not turned aside.
+local function motionOf(b, i, nx, ny, ix, iy)
+  if b.kind[i] ~= DYNAMIC or b.pushable[i] or not path.isDriven(b, i) then
+    return nx * ix, ny * iy
+  end
+  local x, y = b.freeSpeed[2 * i], b.freeSpeed[2 * i + 1]
+  local square = x * x + y * y
+  local share = square > 0 and (nx * x + ny * y) / square or 0.0
+  return share * x * ix, share * y * iy
+end
+
+-- Computes how the two of each row give way. `isShock`: the lower one of two does not.
+local function weigh(b, isShock)
+  local s, down, give = b.slants, b.down, b.give
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
+    local k, m = 2 * i, 2 * j
+    local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
+    local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
+    local areLoose = give[k] > 0 and give[m] > 0
+    if isShock and areLoose and share < -ABOVE then
+      jx, jy = 0.0, 0.0
+    elseif isShock and areLoose and share > ABOVE then
+      ix, iy = 0.0, 0.0
+    end
+    local dx, dy = motionOf(b, i, nx, ny, ix, iy)
+    local ex, ey = motionOf(b, j, nx, ny, jx, jy)
+    s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
+    s.total[c] = nx * (dx + ex) + ny * (dy + ey)
+  end
+end
+
+-- Makes passes over a column: the places or the speeds at the end of the step. `sum` is what each
+-- row has been pushed by so far. A row of which the two have left each other again takes its push
+-- back.
+local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
+  local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
+  local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
+  local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
+  for pass = 1, passCount do
+    local eager = pass < passCount - 1 and eagerness or 1.0
+    for n = 1, s.rows do
+      local c = order[n]
+      if total[c] > 0 and (not isOfSpeeds or isFlush[c] or sum[c] > 0) then
+        local k, m = 2 * one[c], 2 * other[c]
+        local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
+        local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
+        local more = max(want, isShock and 0.0 or -sum[c])
+        if isOfSpeeds and not isFlush[c] then
+          more = -sum[c]
+        end
+        sum[c] = sum[c] + more
+        if more ~= 0 then
+          column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
+          column[m], column[m + 1] = column[m] - more * ex[c], column[m + 1] - more * ey[c]
+        end
+      end
+    end
+  end
+end
+
+-- Walls -------------------------------------------------------------------------------------------
+
+-- Returns which of the two of row c is stopped by the other one, which cannot be moved along their
+-- normal: it is immovable, or held; nil: neither.
+local function moverOf(b, c)
+  local s = b.slants
+  local i, j = s.one[c], s.other[c]
+  local ix, iy, jx, jy = ball.weigh(b, i, j, s.nx[c], s.ny[c])
+  local isOne, isOther = max(ix, iy) > 0, max(jx, jy) > 0
+  return isOne ~= isOther and (isOne and i or j) or nil
+end
+
+-- Lists the rows with a wall by the body that it stops.
+local function listWalls(b)
+  local s = b.slants
+  s.walledCount = 0
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local mover = moverOf(b, c)
+    if mover then
+      if s.wallsAt[mover] ~= s.stamp then
+        s.walledCount = s.walledCount + 1
+        s.walled[s.walledCount], s.wallsAt[mover], s.firstWall[mover] = mover, s.stamp, 0
+      end
+      s.nextWall[c], s.firstWall[mover] = s.firstWall[mover], c
+    end
+  end
+end
+
+-- Returns how far body k is from where it began, or how fast it is.
+local function lengthOf(b, column, k, isOfSpeeds)
+  local x, y = column[k], column[k + 1]
+  if not isOfSpeeds then
+    x, y = x - b.origin[k], y - b.origin[k + 1]
+  end
+  return sqrt(x * x + y * y)
+end
+
+-- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
+-- nearest velocity that goes into none. That is no further away than where it began, or a
+-- standstill, and the ways of the walls. (The corner of two that come from opposite sides may be
+-- anywhere.)
+local function leaveWalls(b, column, isOfSpeeds)
+  local s = b.slants
+  for n = 1, s.walledCount do
+    local i = s.walled[n]
+    local k, c = 2 * i, s.firstWall[i]
+    local most = lengthOf(b, column, k, isOfSpeeds) + (isOfSpeeds and 0.0 or ROOM)
+    planes.count = 0
+    while c ~= 0 do
+      local sign, j = s.one[c] == i and 1 or -1, s.one[c] + s.other[c] - i
+      local nx, ny, m = sign * s.nx[c], sign * s.ny[c], 2 * j
+      if not isOfSpeeds or s.isFlush[c] then
+        local place = nx * column[m] + ny * column[m + 1] + (isOfSpeeds and 0.0 or s.least[c])
+        planes.add(b.rank, nx, ny, place, j, 0)
+        most = most + lengthOf(b, column, m, isOfSpeeds)
+      end
+      c = s.nextWall[c]
+    end
+    local x, y = planes.nearest(column[k], column[k + 1], most)
+    if x then
+      column[k], column[k + 1] = x, y
+    end
+  end
+end
+
+-- What has come of it
+-- ------------------------------------------------------------------------------
+
+-- Limits how far dynamic slot i is pushed: a share of its size, and what its own motion is. (A body
+-- between two that cannot move would be pushed to and fro.)
+local function limit(b, i)
+  local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
+  local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
+  local most = FURTHEST * min(b.size[k], b.size[k + 1]) + max(x, -x, y, -y)
+  for m = k, b.kind[i] == DYNAMIC and k + 1 or 0 do
+    to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
+  end
+end
+
+local function isFlush(b, c)
+  return -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
+end
+
+-- Notes which rows touch at the end of the step.
+local function findFlush(b)
+  local s = b.slants
+  for n = 1, s.rows do
+    limit(b, s.one[s.order[n]])
+    limit(b, s.other[s.order[n]])
+  end
+  for n = 1, s.rows do
+    s.isFlush[s.order[n]] = isFlush(b, s.order[n])
+  end
+end
+
+-- Lets the rows of bodies without room forget their pushes: between two that cannot move, each pass
+-- has pushed these bodies to and fro.
+local function forgetJams(b)
+  local s = b.slants
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local i, j = s.one[c], s.other[c]
+    local most = JAMMED * ball.smallest(b, i, j)
+    local isFast = s.isFlush[c] and -along(b.speed, i, j, s.nx[c], s.ny[c]) * b.dt > most
+    if isFast or depthOf(b, c) > most then
+      s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
+    end
+  end
+  for c = 1, s.count do
+    if s.jamAt[s.one[c]] == s.stamp or s.jamAt[s.other[c]] == s.stamp then
+      s.push[c], s.impulse[c] = 0.0, 0.0
+    end
+  end
+end
+
+-- Gives body k the acceleration with which it comes to its place with its speed, tau s after its
+-- path began there; at most `most`.
+local function accelerate(b, k, tau, most)
+  local a = tau > 0 and 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau or 0.0
+  path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
+end
+
+-- Notes that slot i was pushed.
+local function note(b, i)
+  local k, m, dt = 2 * i, 2 * i + 1, b.dt
+  b.deflectedAt[i] = b.solveStamp
+  if b.give[k] > 0 then
+    local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
+    local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
+    accelerate(b, k, tau, most)
+    accelerate(b, m, tau, most)
+  end
+end
+
+-- Notes which bodies have been pushed, and which are in a heap.
+local function noteAll(b)
+  local s, inHeap = b.slants, b.heapWork.inHeap
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local i, j = s.one[c], s.other[c]
+    if s.isFlush[c] then
+      note(b, i)
+      note(b, j)
+      if c <= s.count and b.give[2 * i] > 0 and b.give[2 * j] > 0 then
+        inHeap[i], inHeap[j] = b.solveStamp, b.solveStamp
+      end
+    end
+  end
+end
+
+-- Solves the places, then the speeds.
+local function solve(b, passCount, isShock)
+  weigh(b, isShock)
+  sweep(b, b.to, b.slants.push, passCount, false, isShock)
+  leaveWalls(b, b.to, false)
+  if not isShock then
+    findFlush(b)
+  end
+  sweep(b, b.speed, b.slants.impulse, passCount, true, isShock)
+  leaveWalls(b, b.speed, true)
+end
+
+--- Pushes all pairs apart that end nearer to each other than they may be.
+function press.run(b)
+  listRows(b)
+  if b.slants.rows == 0 then
+    return
+  end
+  listWalls(b)
+  solve(b, PASSES, false)
+  if not b.isWeightless then
+    solve(b, SHOCKS, true)
+  end
+  forgetJams(b)
+  noteAll(b)
+end
+
+-- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
+local function rest(b, i)
+  local k, m, to, speed, carried = 2 * i, 2 * i + 1, b.to, b.speed, b.carried
+  local x, y = to[k] - path.home(b, k), to[m] - path.home(b, m)
+  local u, v = (speed[k] - carried[k]) * b.dt, (speed[m] - carried[m]) * b.dt
+  if b.kind[i] == DYNAMIC and max(x, -x, y, -y, u, -u, v, -v) <= EPSILON then
+    path.putBack(b, i)
+  end
+end
+
+--- Presses what the rounds have left in each other, and finds the heaps. Returns whether there are
+--- planes.
+function press.finish(b)
+  local s = b.slants
+  slant.findLate(b)
+  if s.count == 0 then
+    return false
+  elseif press.isNeeded(b) then
+    press.run(b)
+  end
+  arrange(b)
+  for c = 1, s.count do
+    s.isFlush[c] = isFlush(b, c)
+    if s.isFlush[c] then
+      rest(b, s.one[c])
+      rest(b, s.other[c])
+    end
+  end
+  pairFinder.run(b, b.awakeList, b.awakeCount)
+  heap.spreadStamp(b, b.heapWork.inHeap)
+  return true
+end
+
+return press
