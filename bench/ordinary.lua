@@ -1,6 +1,6 @@
 --- Ordinary calls of a game, timed beside the library of another commit, by turns:
 ---
----   luajit bench/ordinary.lua COMMIT [ROUNDS] [FILTER]     (FILTER: only what has this in its name)
+---   luajit bench/ordinary.lua COMMIT [ROUNDS] [FILTER]    (FILTER: a part of their names)
 ---   luajit -joff bench/ordinary.lua COMMIT                 (as an interpreter)
 ---
 --- Prints for each call ms with that library and with this one, processor time, the least of all

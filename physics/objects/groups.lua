@@ -200,12 +200,10 @@ function groups.compareAll(records, isLook)
   local isAny = false
   for index, record in ipairs(records) do
     local isOther = record.index ~= index
-    local change = isOther and 1 or groups.firstChange(record)
-    if not isLook and record.firstLooked < (change or huge) then
-      change = record.firstLooked
-    end
+    local change = isOther and 1 or groups.firstChange(record) or huge
+    change = isLook and change or min(change, record.firstLooked)
     record.changedCount, record.newKeys, record.newCount = 0, record.keys, record.count
-    if change then
+    if change < huge then
       readKeys(record, record.keys and 1 or change)
       listChanges(record, isOther, change, isLook)
       isAny = true

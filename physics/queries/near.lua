@@ -118,7 +118,7 @@ local function lookAtGroups(b, world)
   v.isFresh, v.guestCount = true, 0
   for n = 1, b.enteredCount do
     local i = b.entered[n]
-    if b.group[i] and not b.object[i].static then
+    if b.group[i] and constants.kindOf(b.object[i]) ~= STATIC then
       v.guestCount = v.guestCount + 1
       v.guests[v.guestCount] = i
     elseif b.group[i] then
