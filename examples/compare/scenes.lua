@@ -105,7 +105,7 @@ local function lift()
   return {
     name = "lift",
     title = "a lift starts down at 300 px/s",
-    unit = "px of air between lift and rider (here riders are held, by design)",
+    unit = "px of air between lift and rider (held by design)",
     seconds = 1,
     gravity = 600,
     objects = {

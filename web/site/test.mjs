@@ -299,7 +299,7 @@ const SEARCHES = {
   fullscreen: /Recipes|Scal/,
   "pixel perfect": /Recipes|Scal/,
   "delta time": /Steps/,
-  "slow motion": /Slow motion/,
+  "slow motion": /slow motion/i,
   "object pooling": /Object pool/,
   knockback: /Knock-?back/,
   hitstun: /Hitstun/,
