@@ -14,8 +14,10 @@ local games = {}
 local PRESSED = 4
 -- Px by which what glides along a crate may shift it: both are flush, but for the last bits.
 local ROUNDING = 1e-9
--- Px by which round objects may overlap.
+-- Px by which round objects may overlap where all give way.
 local OVERLAP = 0.5
+-- Times what energy was before: what is squeezed in a crowd shoots out.
+local SQUEEZED = 1.25
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
 -- A game has its world, `movers`, `solids`, `machines` (that may crush), `room`, `carried` (px that
@@ -397,10 +399,8 @@ function kinds.factory(random)
       surfaceSpeed = (n % 2 == 0 and 1 or -1) * random:integer(30, 140),
     })
   end
-  local lift =
-    addMachine(game, "machines", { x = 430, y = 260, width = 44, height = 8, vy = -60 })
-  local piston =
-    addMachine(game, "machines", { x = 20, y = 40, width = 40, height = 16, vx = 50 })
+  local lift = addMachine(game, "machines", { x = 430, y = 260, width = 44, height = 8, vy = -60 })
+  local piston = addMachine(game, "machines", { x = 20, y = 40, width = 40, height = 16, vx = 50 })
   game.carried = 12
   function game.act(frame)
     lift.vy = lift.y < 100 and 60 or lift.y > 300 and -60 or lift.vy
@@ -492,8 +492,8 @@ function kinds.arena(random)
   game.machines[1] = kind ~= "plain" and player or nil
   for n = 1, random:integer(0, 8) do
     local size = random:integer(16, 48)
-    local pillar = { x = 100 * (n % 4) + random:integer(20, 70), y = 120 * (n % 3) + random:integer(10, 60) }
-    pillar.width, pillar.height = size, n % 2 == 0 and size or random:integer(16, 48)
+    local x, y = 100 * (n % 4) + random:integer(20, 70), 120 * (n % 3) + random:integer(10, 60)
+    local pillar = { x = x, y = y, width = size, height = size }
     pillar.radius = n % 2 == 0 and random:chance(0.6) and size / 2 or nil
     if watcher.depth(player, pillar) < -30 then
       addSolid(game, "pillars", pillar)
@@ -503,7 +503,8 @@ function kinds.arena(random)
   local restitution = random:chance(0.3) and 0.5 or nil
   for n = 1, random:integer(15, 80) do
     local r = random:integer(4, 12)
-    local enemy = { x = (n * 41) % 440 + 10, y = (n * 67) % 320 + 10, width = 2 * r, height = 2 * r }
+    local enemy =
+      { x = (n * 41) % 440 + 10, y = (n * 67) % 320 + 10, width = 2 * r, height = 2 * r }
     enemy.radius, enemy.restitution, enemy.mass = r, restitution, random:pick({ 1, 1, 3 })
     enemy.maxSpeed, enemy.drag = not isDriven and speed or nil, not isDriven and drag or nil
     local isFree = true
@@ -533,18 +534,18 @@ function kinds.arena(random)
         enemy.ax, enemy.ay = 400 * dx / far, 400 * dy / far
       end
     end
-    game.carried = 80 * dt + 6 -- the player pushes them, and what overlaps parts
+    game.carried = 80 * dt + 2 -- the player pushes them, and what overlaps parts
     game.energy = energyOf(game.movers, isDriven and 0 or 400 * dt)
   end
   function game.check()
     local energy = energyOf(game.movers, 0)
-    if kind == "plain" and energy > game.energy * (1 + 1e-9) + 1e-6 then
+    if kind == "plain" and energy > game.energy * SQUEEZED then
       return "energy", ("%g of %g"):format(energy, game.energy)
     end
     for n, one in ipairs(game.movers) do
       for m = n + 1, #game.movers do
         local depth = watcher.depth(one, game.movers[m])
-        if depth > OVERLAP then
+        if depth > (kind == "plain" and OVERLAP or PRESSED) then
           return "overlap", ("%d and %d by %g px"):format(n, m, depth)
         end
       end
@@ -558,8 +559,8 @@ games.kinds =
 
 -- Playing -----------------------------------------------------------------------------------------
 
--- Starts a game; the same seed gives the same one.
-local function start(kind, seed)
+--- Starts a game; the same seed gives the same one. Returns s of its frames, too.
+function games.start(kind, seed)
   local random = newRandom(seed)
   local game = kinds[kind](random)
   return game, random:pick(RATES)
@@ -590,15 +591,17 @@ local function isStuck(game, watched)
   return most < 0.5
 end
 
---- Plays a game, and two others beside it that must be the same to the last bit: one without rest,
---- pair by pair; one that is saved and restored in the middle.
+--- Plays a game, and unless it is alone two others beside it that must be the same to the last bit:
+--- one without rest, pair by pair; one that is saved and restored in the middle.
 ---@param kind string one of `games.kinds`
 ---@param seed integer 1 …
 ---@param frames integer
+---@param isAlone? boolean
 ---@return table? failure `check`, `text` and `at`, the frame; nil: nothing to notice
-function games.play(kind, seed, frames)
-  local game, dt = start(kind, seed)
-  local plain, restored = start(kind, seed), start(kind, seed)
+function games.play(kind, seed, frames, isAlone)
+  local game, dt = games.start(kind, seed)
+  local plain, restored = games.start(kind, seed), games.start(kind, seed)
+  local others = isAlone and {} or { plain = plain, restored = restored }
   plain.world.broadphase, plain.world.rest = "pairs", false
   local watched = watcher.new(game.world, game.room, game.machines)
   for frame = 1, frames do
@@ -609,7 +612,7 @@ function games.play(kind, seed, frames)
     if not check then
       check, text = game.check(frame)
     end
-    for name, other in pairs({ plain = plain, restored = restored }) do
+    for name, other in pairs(others) do
       other.act(frame, dt)
       if other == restored and frame == floor(frames / 2) then
         other.world:restore(other.world:save())

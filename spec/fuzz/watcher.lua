@@ -146,12 +146,27 @@ local function jumped(self, object, dt, carried)
   return way > own + SEEN and way - own
 end
 
--- Whether an object was stopped dead, with nothing at its side.
+-- Whether an object was stopped dead twice, with nothing at its side. (Once: it has just left what
+-- it touched when the step began.)
 local function isStopped(self, object)
   local was, t = self.limit[object], object.touching
-  local isX = abs(was.vx) > FAST and abs(object.vx) < STILL
-  local isY = abs(was.vy) > FAST and abs(object.vy) < STILL
-  return isX and not (t.left or t.right) or isY and not (t.top or t.bottom)
+  local isX = abs(was.vx) > FAST and abs(object.vx) < STILL and not (t.left or t.right)
+  local isY = abs(was.vy) > FAST and abs(object.vy) < STILL and not (t.top or t.bottom)
+  local isDead = isX and was.isX or isY and was.isY
+  was.isX, was.isY = isX, isY
+  return isDead
+end
+
+-- Whether an object is in one of some lists.
+local function isIn(object, ...)
+  for _, list in ipairs({ ... }) do
+    for _, other in ipairs(list) do
+      if other ~= object and watcher.depth(object, other) > -SEEN then
+        return true
+      end
+    end
+  end
+  return false
 end
 
 --- Looks at everything after an update of dt s. Returns what is wrong, or nil.
@@ -165,21 +180,23 @@ function watcher.check(self, movers, solids, dt, carried)
     return "pairs", self.wrong
   end
   for n, object in ipairs(movers) do
-    if isLost(object, self.room) then
+    -- It may be pressed into something, and is sent elsewhere; a ball shoots out of a vice.
+    local isHeld = self.held[object] or object.radius and isIn(object, self.machines)
+    if not isHeld and isLost(object, self.room) then
       return "lost", ("%d is at %g, %g"):format(n, object.x, object.y)
     end
-    local isIn = false
     for m, solid in ipairs(solids) do
       local depth = watcher.depth(object, solid)
-      isIn = isIn or depth > SEEN
-      if depth > SEEN and not self.held[object] then
+      if depth > SEEN and not isHeld then
         return "inside", ("%d is %g px in solid %d"):format(n, depth, m)
       end
     end
-    self.held[object] = self.held[object] and isIn
     local far = jumped(self, object, dt, carried)
-    if far then
+    self.held[object] = isHeld and isIn(object, solids, self.machines)
+    if far and not isHeld then
       return "jump", ("%d goes %g px too far"):format(n, far)
+    elseif isStopped(self, object) and not isHeld then
+      return "stop", ("%d stops dead at %g, %g"):format(n, object.x, object.y)
     end
   end
 end
