@@ -100,7 +100,7 @@ same: ## plays small scenes and random games beside those of a commit, to the la
 	  || { sed -n 's/^[<>] \(.*\), frame.*/differs: \1/p' build/same.txt | sort -u; exit 1; }
 
 .PHONY: games
-games: setup ## plays random games of six kinds and looks for what a player would notice: GAMES=100, SEED=1
+games: setup ## plays random games of eight kinds and looks for what a player would notice: GAMES=100, SEED=1
 	@luajit scripts/fuzz.lua --game all --games $(or $(GAMES),100) --seed $(or $(SEED),1)
 
 .PHONY: bench bench-quick bench-docs bench-size bench-ordinary

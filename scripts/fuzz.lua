@@ -9,7 +9,8 @@
 -- `--slopes`: games with slopes (spec/fuzz/sloped.lua).
 --
 -- `--game NAME` (or all): games of the kinds that are made, a platformer, survivors, breakout,
--- marbles, Sokoban, a factory (spec/fuzz/games.lua), `--games N` of each kind, of 600 frames.
+-- marbles, Sokoban, a factory, caves, an arena (spec/fuzz/games.lua), `--games N` of each kind, of
+-- 600 frames.
 --
 -- A case that fails is made small and printed, for spec/fuzz/found.txt. Its seed
 -- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written

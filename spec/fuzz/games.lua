@@ -5,7 +5,7 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local watcher = require("spec.fuzz.watcher")
 
-local abs, max = math.abs, math.max
+local abs, floor, max = math.abs, math.floor, math.max
 
 local games = {}
 
@@ -14,10 +14,14 @@ local games = {}
 local PRESSED = 4
 -- Px by which what glides along a crate may shift it: both are flush, but for the last bits.
 local ROUNDING = 1e-9
+-- Px by which round objects may overlap where all give way.
+local OVERLAP = 0.5
+-- Times what energy was before: what is squeezed in a crowd shoots out.
+local SQUEEZED = 1.25
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
--- A game has its world, `movers`, `solids`, `room`, `carried` (px that a frame may add to a way),
--- and functions `act(frame, dt)` and `check(frame)`, which returns what is wrong.
+-- A game has its world, `movers`, `solids`, `machines` (that may crush), `room`, `carried` (px that
+-- a frame may add to a way), `hero` (who must not be stuck at the end), and functions `act(frame, dt)` and `check(frame)`, which returns what is wrong.
 local function newGame(settings, width, height)
   local world = physics.newWorld(settings)
   local game = {
@@ -25,6 +29,7 @@ local function newGame(settings, width, height)
     room = { 0, 0, width, height },
     movers = {},
     solids = {},
+    machines = {},
     carried = 0,
     act = function() end,
     check = function() end,
@@ -50,6 +55,23 @@ end
 local function addMover(game, group, object)
   game.movers[#game.movers + 1] = game.world:add(group, object)
   return object
+end
+
+local function addMachine(game, group, object)
+  object.kinematic = true
+  game.machines[#game.machines + 1] = game.world:add(group, object)
+  return object
+end
+
+-- Returns the energy of objects if each of them were faster by `more` px/s.
+local function energyOf(movers, more)
+  local energy = 0
+  for _, object in ipairs(movers) do
+    local vx, vy = object.vx or 0, object.vy or 0
+    local speed = math.sqrt(vx * vx + vy * vy) + more
+    energy = energy + (object.mass or 1) / 2 * speed * speed
+  end
+  return energy
 end
 
 local function tile(x, y, slope)
@@ -94,12 +116,11 @@ function kinds.platformer(random)
       addSolid(game, "ledges", ledge)
     end
   end
-  local lift = game.world:add("lifts", {
+  local lift = addMachine(game, "lifts", {
     x = 16 * random:integer(4, 30),
     y = 60,
     width = 48,
     height = 8,
-    kinematic = true,
     vy = random:integer(30, 80),
     oneWay = "top",
   })
@@ -224,8 +245,7 @@ function kinds.breakout(random)
       end
     end
   end
-  local paddle = { x = 140, y = 220, width = 40, height = 8, kinematic = true }
-  game.world:add("paddles", paddle)
+  local paddle = addMachine(game, "paddles", { x = 140, y = 220, width = 40, height = 8 })
   local size = random:pick({ 6, 8 })
   local ball = addMover(game, "balls", {
     x = 150,
@@ -379,10 +399,8 @@ function kinds.factory(random)
       surfaceSpeed = (n % 2 == 0 and 1 or -1) * random:integer(30, 140),
     })
   end
-  local lift = { x = 430, y = 260, width = 44, height = 8, kinematic = true, vy = -60 }
-  local piston = { x = 20, y = 40, width = 40, height = 16, kinematic = true, vx = 50 }
-  game.world:add("machines", lift)
-  game.world:add("machines", piston)
+  local lift = addMachine(game, "machines", { x = 430, y = 260, width = 44, height = 8, vy = -60 })
+  local piston = addMachine(game, "machines", { x = 20, y = 40, width = 40, height = 16, vx = 50 })
   game.carried = 12
   function game.act(frame)
     lift.vy = lift.y < 100 and 60 or lift.y > 300 and -60 or lift.vy
@@ -402,17 +420,190 @@ function kinds.factory(random)
   return game
 end
 
-games.kinds = { "platformer", "survivors", "breakout", "marbles", "sokoban", "factory" }
+-- Slopes of all kinds and blocks at random, water, a lift and a train, crates and balls; a hero that
+-- walks, dashes, jumps, swims and rides.
+function kinds.caves(random)
+  local game = newGame({ gravity = 900 }, 480, 320)
+  local share, slopes = random:between(0.1, 0.35), { "left", "right", "topleft", "topright" }
+  for y = 0, 19 do
+    for x = 0, 29 do
+      local isFree = y > 15 and x < 4 or y == 12 or x == 25 or x == 26
+      if not isFree and random:chance(share) then
+        addSolid(game, "caves", tile(x, y, random:chance(0.6) and random:pick(slopes) or nil))
+      end
+    end
+  end
+  if random:chance(0.5) then
+    local water = { x = 0, y = 208, width = 480, height = 112, static = true, sensor = true }
+    water.area = { gravity = 60, airFriction = 2 }
+    game.world:add("waters", water)
+  end
+  local lift = addMachine(game, "lifts", { x = 402, y = 40, width = 28, height = 8, vy = 50 })
+  local train = addMachine(game, "trains", { x = 16, y = 200, width = 64, height = 8, vx = 60 })
+  local hero = addMover(game, "heroes", {
+    x = 20,
+    y = 290,
+    width = random:pick({ 10, 12, 14 }),
+    height = random:pick({ 12, 20, 24 }),
+    nudge = random:chance(0.5) and 4 or nil,
+    snap = random:chance(0.5) and 8 or nil,
+    maxFallSpeed = 500,
+  })
+  game.hero = hero
+  if random:chance(0.2) then
+    hero.width, hero.height, hero.radius = 14, 14, 7
+  end
+  for n = 1, random:chance(0.5) and random:integer(1, 6) or 0 do
+    local thing = { x = 10 + 60 * n, y = 193, width = 14, height = 14, friction = 0.6 }
+    thing.radius = random:chance(0.5) and 7 or nil
+    addMover(game, "things", thing)
+  end
+  local way, rise, left, dash = 0, 0, 0, 0
+  game.carried = 8 + 8 + 4 -- snap, a carrier, nudge
+  function game.act()
+    if left == 0 then
+      way, rise, left = random:pick({ -1, 0, 1 }), random:pick({ -1, 0, 1 }), random:integer(5, 60)
+      dash = random:chance(0.3) and 8 or 0
+    end
+    left, dash = left - 1, dash - 1
+    hero.gravity = dash > 0 and 0 or nil
+    hero.vx = (dash > 0 and 500 or 130) * way
+    if dash > 0 then
+      hero.vy = 500 * rise
+    elseif hero.y > 208 and rise ~= 0 and random:chance(0.5) then
+      hero.vy = 90 * rise
+    elseif hero.touching.bottom and random:chance(0.05) then
+      hero.vy = -320
+    end
+    lift.vy = lift.y < 8 and 50 or lift.y > 304 and -50 or lift.vy
+    train.vx = train.x < 8 and 60 or train.x > 408 and -60 or train.vx
+  end
+  return game
+end
 
---- Plays a game.
+-- Round enemies of mixed sizes, by velocity or by acceleration, around a round player that walks,
+-- in a room with pillars and walls.
+function kinds.arena(random)
+  local game = newGame({ gravity = 0 }, 480, 360)
+  local kind = random:pick({ "plain", "strong", "fixed" })
+  local player = addMover(game, "players", { x = 230, y = 170, radius = random:integer(6, 12) })
+  player.strength = kind == "strong" and 1 or nil
+  player.pushable = kind ~= "fixed" and nil
+  game.machines[1] = kind ~= "plain" and player or nil
+  for n = 1, random:integer(0, 8) do
+    local size = random:integer(16, 48)
+    local x, y = 100 * (n % 4) + random:integer(20, 70), 120 * (n % 3) + random:integer(10, 60)
+    local pillar = { x = x, y = y, width = size, height = size }
+    pillar.radius = n % 2 == 0 and random:chance(0.6) and size / 2 or nil
+    if watcher.depth(player, pillar) < -30 then
+      addSolid(game, "pillars", pillar)
+    end
+  end
+  local isDriven, speed, drag = random:chance(0.5), random:integer(30, 120), random:integer(0, 300)
+  local restitution = random:chance(0.3) and 0.5 or nil
+  for n = 1, random:integer(15, 80) do
+    local r = random:integer(4, 12)
+    local enemy =
+      { x = (n * 41) % 440 + 10, y = (n * 67) % 320 + 10, width = 2 * r, height = 2 * r }
+    enemy.radius, enemy.restitution, enemy.mass = r, restitution, random:pick({ 1, 1, 3 })
+    enemy.maxSpeed, enemy.drag = not isDriven and speed or nil, not isDriven and drag or nil
+    local isFree = true
+    for _, list in ipairs({ game.solids, game.movers }) do
+      for _, other in ipairs(list) do
+        isFree = isFree and watcher.depth(enemy, other) < -1
+      end
+    end
+    if isFree then
+      addMover(game, "enemies", enemy)
+    end
+  end
+  local turn, wayX, wayY = 0, 0, 0
+  function game.act(_, dt)
+    if turn == 0 then
+      turn, wayX, wayY = random:integer(20, 90), random:integer(-1, 1), random:integer(-1, 1)
+    end
+    turn = turn - 1
+    player.vx, player.vy = wayX * 80, wayY * 80
+    for n = 2, #game.movers do
+      local enemy = game.movers[n]
+      local dx, dy = player.x - enemy.x, player.y - enemy.y
+      local far = max(math.sqrt(dx * dx + dy * dy), 1)
+      if isDriven then
+        enemy.vx, enemy.vy = speed * dx / far, speed * dy / far
+      else
+        enemy.ax, enemy.ay = 400 * dx / far, 400 * dy / far
+      end
+    end
+    game.carried = 80 * dt + 2 -- the player pushes them, and what overlaps parts
+    game.energy = energyOf(game.movers, isDriven and 0 or 400 * dt)
+  end
+  function game.check()
+    local energy = energyOf(game.movers, 0)
+    if kind == "plain" and energy > game.energy * SQUEEZED then
+      return "energy", ("%g of %g"):format(energy, game.energy)
+    end
+    for n, one in ipairs(game.movers) do
+      for m = n + 1, #game.movers do
+        local depth = watcher.depth(one, game.movers[m])
+        if depth > (kind == "plain" and OVERLAP or PRESSED) then
+          return "overlap", ("%d and %d by %g px"):format(n, m, depth)
+        end
+      end
+    end
+  end
+  return game
+end
+
+games.kinds =
+  { "platformer", "survivors", "breakout", "marbles", "sokoban", "factory", "caves", "arena" }
+
+-- Playing -----------------------------------------------------------------------------------------
+
+--- Starts a game; the same seed gives the same one. Returns s of its frames, too.
+function games.start(kind, seed)
+  local random = newRandom(seed)
+  local game = kinds[kind](random)
+  return game, random:pick(RATES)
+end
+
+-- Whether the hero of a game is stuck: not pressed by a machine, and it can leave in no direction.
+local function isStuck(game, watched)
+  local hero, state = game.hero, game.world:save()
+  if not hero or watched.held[hero] then
+    return false
+  end
+  for _, machine in ipairs(game.machines) do
+    if watcher.depth(hero, machine) > -2 then
+      return false
+    end
+  end
+  local most = 0
+  for n = 0, 3 do
+    local x, y = hero.x, hero.y
+    for _ = 1, 10 do
+      hero.gravity = 0
+      hero.vx, hero.vy = 60 * ({ 1, -1, 0, 0 })[n + 1], 60 * ({ 0, 0, 1, -1 })[n + 1]
+      game.world:update(1 / 60)
+    end
+    most = max(most, abs(hero.x - x), abs(hero.y - y))
+    game.world:restore(state)
+  end
+  return most < 0.5
+end
+
+--- Plays a game, and unless it is alone two others beside it that must be the same to the last bit:
+--- one without rest, pair by pair; one that is saved and restored in the middle.
 ---@param kind string one of `games.kinds`
 ---@param seed integer 1 …
 ---@param frames integer
+---@param isAlone? boolean
 ---@return table? failure `check`, `text` and `at`, the frame; nil: nothing to notice
-function games.play(kind, seed, frames)
-  local random = newRandom(seed)
-  local game, dt = kinds[kind](random), random:pick(RATES)
-  local watched = watcher.new(game.world, game.room)
+function games.play(kind, seed, frames, isAlone)
+  local game, dt = games.start(kind, seed)
+  local plain, restored = games.start(kind, seed), games.start(kind, seed)
+  local others = isAlone and {} or { plain = plain, restored = restored }
+  plain.world.broadphase, plain.world.rest = "pairs", false
+  local watched = watcher.new(game.world, game.room, game.machines)
   for frame = 1, frames do
     game.act(frame, dt)
     watcher.note(watched, game.movers)
@@ -420,6 +611,19 @@ function games.play(kind, seed, frames)
     local check, text = watcher.check(watched, game.movers, game.solids, dt, game.carried)
     if not check then
       check, text = game.check(frame)
+    end
+    for name, other in pairs(others) do
+      other.act(frame, dt)
+      if other == restored and frame == floor(frames / 2) then
+        other.world:restore(other.world:save())
+      end
+      other.world:update(dt)
+      if not check and other.world:hash() ~= game.world:hash() then
+        check, text = "same", "the hashes differ: " .. name
+      end
+    end
+    if not check and frame == frames and isStuck(game, watched) then
+      check, text = "stuck", ("the hero at %g, %g"):format(game.hero.x, game.hero.y)
     end
     if check then
       return { check = check, text = text, at = frame }

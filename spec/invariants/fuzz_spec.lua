@@ -225,14 +225,19 @@ local FOUND = {
   marbles = { 86, 1110, 762, 1236 },
   breakout = { 273, 630, 1, 2 },
   survivors = { 30, 58, 68, 74 },
+  arena = { 3, 14, 1, 2 },
 }
 -- Frames, where others play 300.
-local LENGTH = { breakout = 480, survivors = effort.isWhole and 300 or 100 }
+local LENGTH = {
+  breakout = 480,
+  survivors = effort.isWhole and 300 or 100,
+  arena = 210,
+}
 
 -- 2000 of each: `make games GAMES=2000`.
 describe("games of the kinds that are made show nothing that a player would notice:", function()
   local function expectClean(kind, seed, frames)
-    local failure = games.play(kind, seed, frames)
+    local failure = games.play(kind, seed, frames, true)
     assert(
       not failure,
       failure and ("seed %d, frame %d: %s"):format(seed, failure.at, failure.text)
@@ -240,7 +245,8 @@ describe("games of the kinds that are made show nothing that a player would noti
   end
 
   for _, kind in ipairs(games.kinds) do
-    local play, frames = kind == "survivors" and long or it, LENGTH[kind] or 300
+    local play, frames =
+      (kind == "survivors" or kind == "arena") and long or it, LENGTH[kind] or 300
     play(kind, function()
       for n = 1, effort.share(4) do
         local seed = FOUND[kind] and FOUND[kind][n] or n
@@ -283,6 +289,12 @@ describe("a watcher of games", function()
       2,
     },
     {
+      "a box under a slope",
+      { x = 0, y = 2, width = 4, height = 8 },
+      { x = 0, y = 0, width = 10, height = 10, slope = "topright" },
+      2,
+    },
+    {
       "a ball on a slope",
       { x = 2, y = 2, width = 4, height = 4, radius = 2 },
       { x = 0, y = 0, width = 10, height = 10, slope = "right" },
@@ -313,5 +325,25 @@ describe("a watcher of games", function()
     assert.is_nil(watcher.check(self, { one }, {}, 1 / 60, 1))
     world.onEnd(one, box)
     assert.equal("pairs", (watcher.check(self, { one }, {}, 1 / 60, 1)))
+  end)
+
+  it("notices a crush without a machine, and what stops dead twice", function()
+    local world, press = physics.newWorld({ gravity = 0 }), { x = 40, y = 5, width = 9, height = 9 }
+    local one = world:add("boxes", { x = 5, y = 5, width = 4, height = 4, vx = 60 })
+    local self = watcher.new(world, { 0, 0, 100, 100 }, { press })
+    world:update(0)
+    for n = 1, 2 do
+      one.vx = 60
+      watcher.note(self, { one })
+      one.vx = 0
+      local check = watcher.check(self, { one }, {}, 1 / 60, 0)
+      assert.equal(n == 2 and "stop" or nil, check)
+    end
+    press.x = 20
+    world.onCrush(one, one, one, "x")
+    assert.is_nil(self.wrong)
+    self.held, press.x = {}, 40
+    world.onCrush(one, one, one, "x")
+    assert.matches("crush", self.wrong)
   end)
 end)

@@ -5,6 +5,7 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local small = require("spec.support.small")
 local watcher = require("spec.fuzz.watcher")
+local yielding = require("physics.narrowphase.yielding")
 
 local run, tile = small.play, small.tile
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
@@ -402,6 +403,16 @@ describe("radius and slope: a marble", function()
 end)
 
 describe("radius, strength and mass: a round player", function()
+  it("pulls nothing that leaves it by a rounding", function()
+    for n = 1, 50 do
+      local v = 80 + n / 7
+      for ulps = -2, 2 do
+        local strong, weak = yielding.share(true, 1 / 3, n / 9, v, v + ulps * 2 ^ -46)
+        assert.near(0.6 / n, strong / weak, 1e-12)
+      end
+    end
+  end)
+
   it("contains no object that walks along a wall through a crowd of circles", function()
     for _, rate in ipairs({ 30, 60 }) do
       local random, world, list = newRandom(4), physics.newWorld({ gravity = 0 }), {}
