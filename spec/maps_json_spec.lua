@@ -162,15 +162,6 @@ describe("world:loadTiled, JSON", function()
     pretend({ ["a.tmj"] = "nil" })
     small.refuses('what "a.tmj" returns must be a table, got nil', load, "a.tmj")
   end)
-
-  it("of before Tiled 1.2 has tables of tiles by their ids", function()
-    local set = tiled.tileset()
-    set.tiles = { ["1"] = { objectgroup = { objects = { tiled.object(1, 0, 8, 16, 8) } } } }
-    set.tileproperties = { ["0"] = { solid = true }, ["1"] = { friction = 0.5 } }
-    local map = tiled.map({ set }, { tiled.tiles(1, "land", { "12." }) })
-    local expected = "land 0 0 16 16 static; land 16 8 16 8 friction=0.5 static"
-    assert.equal(expected, tiled.show(tiled.load(map)))
-  end)
 end)
 
 describe("world:loadTiled, a world of the editor", function()
