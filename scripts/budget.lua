@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 643 },
   { "physics/contacts", 372 },
   { "physics/fields", 658 },
-  { "physics/maps", 2628 },
+  { "physics/maps", 2614 },
   { "physics/memory", 890 },
   { "physics/motion", 1041 },
   { "physics/narrowphase", 556 },

@@ -115,7 +115,7 @@ describe("world:loadTiled, JSON", function()
     {
       "maps/cave.tmj",
       MAP:format('{ id = 7, template = "crate.tx", x = 0, y = 0 }'),
-      'template: cannot read "maps/crate.tx": it is XML: tick Embed tilesets and Detach templates,',
+      'template: cannot read "maps/crate.tx": it is XML: export the map as Lua (File',
     },
   }) do
     it("says what of it cannot be read, " .. i, function()
