@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 643 },
   { "physics/contacts", 372 },
   { "physics/fields", 658 },
-  { "physics/maps", 2614 },
+  { "physics/maps", 2615 },
   { "physics/memory", 890 },
   { "physics/motion", 1041 },
   { "physics/narrowphase", 556 },
@@ -19,7 +19,7 @@ local BUDGET = {
   { "physics/sleep", 85 },
   { "physics/solver", 3397 },
   { "physics/space", 499 },
-  { "physics/state", 1023 },
+  { "physics/state", 1020 },
   { "physics/world", 1450 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
