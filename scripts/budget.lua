@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 643 },
   { "physics/contacts", 372 },
   { "physics/fields", 658 },
-  { "physics/maps", 2615 },
+  { "physics/maps", 2612 },
   { "physics/memory", 890 },
   { "physics/motion", 1041 },
   { "physics/narrowphase", 556 },
