@@ -54,13 +54,6 @@ local function pretend(files)
       return decode(files[path])
     end
   end
-  function filesystem.getDirectoryItems()
-    local names = {}
-    for path in pairs(files) do
-      names[#names + 1] = path:match("^maps/([^/]+)$")
-    end
-    return names
-  end
   rawset(_G, "love", { filesystem = filesystem })
   return asked
 end
@@ -122,7 +115,7 @@ describe("world:loadTiled, JSON", function()
     {
       "maps/cave.tmj",
       MAP:format('{ id = 7, template = "crate.tx", x = 0, y = 0 }'),
-      'template: cannot read "maps/crate.tx": it is XML: tick Embed tilesets and Detach templates,',
+      'template: cannot read "maps/crate.tx": it is XML: export the map as Lua (File',
     },
   }) do
     it("says what of it cannot be read, " .. i, function()
@@ -162,15 +155,6 @@ describe("world:loadTiled, JSON", function()
     pretend({ ["a.tmj"] = "nil" })
     small.refuses('what "a.tmj" returns must be a table, got nil', load, "a.tmj")
   end)
-
-  it("of before Tiled 1.2 has tables of tiles by their ids", function()
-    local set = tiled.tileset()
-    set.tiles = { ["1"] = { objectgroup = { objects = { tiled.object(1, 0, 8, 16, 8) } } } }
-    set.tileproperties = { ["0"] = { solid = true }, ["1"] = { friction = 0.5 } }
-    local map = tiled.map({ set }, { tiled.tiles(1, "land", { "12." }) })
-    local expected = "land 0 0 16 16 static; land 16 8 16 8 friction=0.5 static"
-    assert.equal(expected, tiled.show(tiled.load(map)))
-  end)
 end)
 
 describe("world:loadTiled, a world of the editor", function()
@@ -187,42 +171,9 @@ describe("world:loadTiled, a world of the editor", function()
     assert.same({ 1100, 128 }, { level.x, level.width })
   end)
 
-  local PATTERN = [[{ patterns = { { regexp = "room-(\\d+)_([0-9]+)\\.tmx$", multiplierX = 320,
-    multiplierY = 160, offsetX = -8 } } }]]
-
-  it("finds the maps of its patterns", function()
-    local room = MAP:format("")
-    local files = small.set(small.set({}, FILES), { ["maps/all.world"] = PATTERN })
-    for _, name in ipairs({ "room-0_1.lua", "room-12_0.lua", "room-1_1.tmx", "room0_1.lua" }) do
-      files["maps/" .. name] = room
-    end
-    pretend(files)
-    local level = load("maps/all.world", { later = true })
-    local places = {}
-    for i, map in ipairs(level.maps) do
-      places[i] = ("%s %d %d"):format(map.name, map.x, map.y)
-    end
-    assert.equal("room-0_1 -8 160; room-12_0 3832 0", table.concat(places, "; "))
-    level:addMap("room-0_1")
-    assert.same(
-      { "land 8 160 16 16 static type=rock" },
-      { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") }
-    )
-  end)
-
-  it("says what of a pattern cannot be had", function()
-    small.refuses(
-      "only LÖVE can look for its maps",
-      load,
-      { patterns = { { regexp = "a" } } },
-      { folder = "maps" }
-    )
-    pretend({ ["a.world"] = [[{ patterns = { { regexp = "(a|b)(\\d)" } } }]] })
-    small.refuses(
-      "a pattern of the world cannot be read: (a|b)(\\d): list its maps",
-      load,
-      "a.world"
-    )
+  it("says what of it cannot be had", function()
+    local given = { patterns = { { regexp = "a" } } }
+    small.refuses("a world with patterns cannot be read", load, given, { folder = "maps" })
     small.refuses("map.maps must be a table, got nil", load, { type = "world" }, { folder = "a" })
   end)
 end)

@@ -60,21 +60,15 @@ local function put(target, path, value)
 end
 
 describe("world:loadTiled refuses", function()
-  local OR = ", or give the option decode, of a JSON library"
   for _, row in ipairs({
     { nil, "map must be a Tiled map or the path of one, got nil" },
     { 5, "map must be a Tiled map or the path of one, got 5" },
     { { tilecount = 5 }, "this is a tileset, not a map: load the map that uses it" },
-    { "a.tmx", '"a.tmx" must be exported as Lua: File > Export As, *.lua' },
-    {
-      "a.world",
-      '"a.world" must be decoded, as JSON: give the table, and the option folder' .. OR,
-    },
-    { "a.tmj", '"a.tmj" must be exported as Lua: File > Export As, *.lua' .. OR },
+    { "a.tmx", 'cannot read "a.tmx": it is XML: export the map as Lua (File > Export As), …' },
+    { "a.world", 'cannot read "a.world": it is JSON: give the option decode, …' },
     {
       ("assets/"):rep(6) .. "level-7.json",
-      '"...ets/assets/assets/assets/level-7.json" must be exported as Lua: File > Export As, *.lua'
-        .. OR,
+      'cannot read "...ets/assets/assets/assets/level-7.json": it is JSON: give the option …',
     },
     { { map = newMap() }, 'the map is in its entry "map": give that' },
     { ldtk.cave(), "map.layers must be a table, got nil" },

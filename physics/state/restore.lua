@@ -256,6 +256,9 @@ local function restoreMemory(b, st, slots)
     b.fresh[i] = false
     islands.wake(b, i)
     boxes.stand(b, i)
+    if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
+      read.resetTouching(b, i)
+    end
     if b.moved[i] then
       b.movedCount = b.movedCount + 1
       b.movedList[b.movedCount] = i
@@ -280,14 +283,7 @@ local function restoreContacts(b, st, slots)
   end
 end
 
--- (`object.touching` may be the table of another world now, or of several objects.)
 local function restoreTouching(b, st, objects, slots)
-  for n = 1, st.count do
-    local i = slots[n]
-    if b.kind[i] == DYNAMIC then
-      read.resetTouching(b, i)
-    end
-  end
   for at = 1, #st.touching, 5 do
     local touching = b.touching[slots[st.touching[at]]]
     for side = 1, touching and 4 or 0 do

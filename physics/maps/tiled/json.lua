@@ -10,14 +10,11 @@ local properties = require(root .. ".maps.properties")
 local json = {}
 
 local function valueOf(entry)
-  if entry.type == "object" then
-    return { id = entry.value }
-  end
-  local list = entry.type == "list" and {} or entry.value
-  for i, inner in ipairs(entry.type == "list" and entry.value or {}) do
+  local isList, list = entry.type == "list", {}
+  for i, inner in ipairs(isList and entry.value or {}) do
     list[i] = inner.type == "list" and valueOf(inner) or inner.value
   end
-  return list
+  return isList and list or entry.type == "object" and { id = entry.value } or entry.value
 end
 
 --- Returns the properties of a part of a map as names and values.
