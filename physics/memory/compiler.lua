@@ -21,7 +21,6 @@ compiler.INTERPRETED = {
   -- on x64: it reads what `next` has found through the lower half of a pointer to the stack.
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "place clear",
-  ["maps.tiled.tileset"] = "index",
   ["maps.recall"] = "place snapshotOf save begin find finish",
   ["maps.properties"] = "put read saysThatItMoves isEmpty",
   ["maps.tiled.tileset"] = "index",
@@ -30,7 +29,7 @@ compiler.INTERPRETED = {
   ["memory.lazy"] = "fill",
   ["fields.forms"] = "isSame copy",
   ["objects.groups"] = "sortedKeys hasOthers haveChanged",
-  ["objects.registry"] = "forgetGiven find",
+  ["objects.registry"] = "find",
   ["queries.move"] = "finish",
   ["state.hash"] = "measure",
   ["state.format"] = "isPlain",
