@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/narrowphase", 559 },
   { "physics/objects", 1258 },
   { "physics/overlaps", 793 },
-  { "physics/queries", 846 },
+  { "physics/queries", 855 },
   { "physics/sleep", 85 },
   { "physics/solver", 3402 },
   { "physics/space", 499 },

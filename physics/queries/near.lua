@@ -28,11 +28,13 @@ local sort = require(root .. ".memory.sort")
 
 local near = {}
 
-local isFinite, max, min, remove = check.isFinite, math.max, math.min, table.remove
+local max, min, remove = math.max, math.min, table.remove
 local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 -- So many objects are compared in a few microseconds.
 local FEW = 1000
 local MARGIN = 1 -- of a fat box, px
+-- Numbers with a sum up to this are all in range.
+local MOST = 1e99
 local MISSED = " was moved after this frame's first query. With more than "
   .. FEW
   .. " moving objects, call world:refresh(object) so that later queries see it"
@@ -57,9 +59,12 @@ local COLUMNS = {
 -- Errors: an object of which place, size or `active` cannot be used.
 local function checkPlace(b, i)
   local object = b.object[i]
-  local width, height, active = object.width, object.height, object.active
-  local isPlace = isFinite(object.x) and isFinite(object.y) and isFinite(width) and isFinite(height)
-  if not (isPlace and min(width, height) > 0) or active ~= nil and type(active) ~= "boolean" then
+  local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
+  local kind = type(x)
+  local isPlace = kind == "number" and kind == type(y) and kind == type(width)
+  isPlace = isPlace and kind == type(height) and min(width, height) > 0
+  isPlace = isPlace and max(x, -x) + max(y, -y) + width + height <= MOST
+  if not isPlace or active ~= nil and type(active) ~= "boolean" then
     check.object(object, registry.placeOf, b, i)
   end
 end
@@ -99,7 +104,7 @@ local function file(b, i)
   b.placed[i] = 1
 end
 
--- Takes over new groups, and what is in them.
+-- Takes over new groups, and what is in them. What stands still is filed here.
 local function lookAtGroups(b, world)
   settings.applyOrder(world)
   if b.isSeen and not registry.hasChanged(b.registry, world.objects) then
@@ -108,7 +113,9 @@ local function lookAtGroups(b, world)
   read.look(b, world.objects)
   b.isSeen = true
   for n = 1, b.enteredCount do
-    file(b, b.entered[n])
+    if b.entered[n] > b.lastBody then
+      file(b, b.entered[n])
+    end
   end
   for n = 1, b.movedCount do -- static ones that were read again, too
     file(b, b.movedList[n])
