@@ -351,7 +351,7 @@ local ADD = "world:add(group, object): "
 local NO_WORLD = "the object is not in the world (removed, or never added)"
 
 describe("every function: a call", function()
-  local BOX, PLAYER, CRATE = "box", "player", "crate" -- stand for objects of the world
+  local BOX, PLAYER, CRATE, NEW = "box", "player", "crate", "new" -- stand for objects of the world
   local group = "group must be a string or a number, got "
   -- what is said, the method, its arguments
   for _, row in ipairs({
@@ -361,6 +361,7 @@ describe("every function: a call", function()
     { ADD .. "object must be a table, got nil", "add", "boxes" },
     { ADD .. "the object already stands at objects.boxes[1]", "add", "crates", BOX },
     { ADD .. "the object already stands at objects.player", "add", "crates", PLAYER },
+    { ADD .. "the object already stands at objects.new[1]", "add", "crates", NEW },
     { ADD .. "objects.player is not a group, got an object", "add", "player", object() },
     { ADD .. "objects.coins is not a group, got 5", "add", "coins", object() },
     { "world:remove(object): object must be a table, got nil", "remove" },
@@ -376,6 +377,7 @@ describe("every function: a call", function()
       objects.player = named[PLAYER]
       world:update(1 / 60)
       named[CRATE], objects.coins = object({ mass = 0 }), 5
+      named[NEW] = world:add("new", object()) -- no update has read it
       objects.crate = named[CRATE]
       refuses(row[1], function()
         local first = row[2] ~= "add" and named[row[3]] or row[3]

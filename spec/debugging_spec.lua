@@ -249,9 +249,14 @@ describe("checked", function()
     local other = newWorld()
     other.objects.cursor = box
     local text = "physics: objects.cursor is also in another world, as objects.boxes[1]"
-    assert.error_matches(function()
+    local function update()
       other:update(DT)
-    end, text, 1, true)
+    end
+    assert.error_matches(update, text, 1, true)
+    world:remove(box)
+    world:queryPoint(0, 0) -- sees that it has gone
+    world:add("boxes", box)
+    assert.error_matches(update, text, 1, true)
     world:remove(box)
     world:update(DT)
     other:update(DT)

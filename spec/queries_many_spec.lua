@@ -181,6 +181,17 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
 end)
 
 describe("queryRect and the others", function()
+  it("wake no object that is not active, if the masks change before it is read", function()
+    local world = physics.newWorld({ gravity = 600 })
+    local object = world:add("a", sized(10, 80, 20, 20, { active = false }))
+    world:queryRect(0, 0, 200, 200)
+    world.masks = { a = { b = false } }
+    for _ = 1, 5 do
+      world:update(1 / 60)
+    end
+    assert.are.equal(80, object.y)
+  end)
+
   -- Plays a game in which objects come, go and change their places in the tables, and returns what
   -- was told. With `isAsked` it asks a question after each change.
   local function play(seed, isAsked)

@@ -284,17 +284,6 @@ local function addMembers(self, list, cellCount, askers, found)
   return n
 end
 
--- Finds what is in the cells of the listed ranges and meets the object that asks.
-local function findIn(self, rangeCount, list, askers, found)
-  -- The numbers behind the end are read, but not used.
-  for n = rangeCount + 2, rangeCount + 5 do
-    self.ranges[n] = 0
-  end
-  local cells = addCells(self, rangeCount)
-  self.cells[cells + 1], self.cells[cells + 2] = 0, 1
-  return addMembers(self, list, cells, askers, found)
-end
-
 -- Compares one object with all others, if its box is wide.
 local function addAll(self, asker, askers, found, n)
   local fatLow, fatHigh, all = self.bodies.fatLow, self.bodies.fatHigh, self.list
@@ -319,7 +308,12 @@ function grid:overlaps(list, count, askers, found)
     end
     cell = cell * 2
   end
-  local n = findIn(self, ranges, list, askers, found)
+  for behind = ranges + 2, ranges + 5 do -- read, but not used
+    self.ranges[behind] = 0
+  end
+  local cells = addCells(self, ranges)
+  self.cells[cells + 1], self.cells[cells + 2] = 0, 1
+  local n = addMembers(self, list, cells, askers, found)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   for m = 1, count do
     local k = 2 * list[m]

@@ -150,22 +150,16 @@ end
 -- are static, and all that can move are asked instead. Puts these into `strays`, and returns how
 -- many they are.
 local function askMovers(b, strays, count)
-  local kind, placed, strayAt, movers = b.kind, b.placed, b.strayAt, b.movers
-  local n = 0
+  local placed, strayAt, movers, n = b.placed, b.strayAt, b.movers, 0
   if count <= b.moverCount then
     return count
   end
   for m = 1, count do
-    local i = strays[m]
-    strayAt[i] = huge
-    if kind[i] ~= STATIC then
-      n = n + 1
-      strays[n], strayAt[i] = i, n
-    end
+    strayAt[strays[m]] = huge
   end
   for m = 1, b.moverCount do
     local i = movers[m]
-    if placed[i] ~= 0 and strayAt[i] == huge then
+    if placed[i] ~= 0 then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
@@ -177,10 +171,7 @@ end
 local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, margin)
-  local partedCount = listParted(b, strays, count)
-  if partedCount > 0 then
-    links.unlinkAll(b, b.parted, partedCount)
-  end
+  links.unlinkAll(b, b.parted, listParted(b, strays, count))
   linkNear(b, strays, askMovers(b, strays, count))
 end
 

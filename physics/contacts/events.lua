@@ -13,6 +13,7 @@ local constants = require(root .. ".memory.constants")
 local fields = require(root .. ".fields.fields")
 local links = require(root .. ".memory.links")
 local patience = require(root .. ".memory.lazy")(root .. ".overlaps.patience")
+local registry = require(root .. ".objects.registry")
 local sort = require(root .. ".memory.sort")
 local touch = require(root .. ".narrowphase.touch")
 
@@ -205,10 +206,8 @@ local function checkCallback(b, owner, name)
   local callback = owner[name]
   if callback and type(callback) ~= "function" then
     local slot = b.slotOf[owner]
-    local record = slot and b.group[slot]
-    local key = record and (record.keys and record.keys[b.seat[slot]] or b.seat[slot])
     local place = owner == b.world and "world"
-      or record and check.place(record.name, not record.direct and key or nil)
+      or slot and b.group[slot] and registry.placeOf(b, slot)
       or "removed object"
     check.fail(place .. "." .. name .. " must be a function, got " .. check.show(callback))
   end

@@ -161,17 +161,17 @@ local function listChanges(record, isAll, first, isLook)
   record.changedCount = count
 end
 
---- Returns whether there are other groups than those that were seen last.
+--- Returns whether there are other groups than those that were seen last, or in another order.
 function groups.haveChanged(self, objects)
-  local n = 0
-  for name, value in next, objects, nil do
+  local n, isOther = 0, self.reorder or not rawequal(self.source, objects)
+  for name, value in next, isOther and {} or objects, nil do
     local record = self.byName[name]
     if not record or not rawequal(record.source, value) then
       return true
     end
     n = n + 1
   end
-  return n ~= self.groupCount
+  return isOther or n ~= self.groupCount
 end
 
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.

@@ -60,14 +60,11 @@ local COLUMNS = {
 local function checkPlace(b, i)
   local object = b.object[i]
   local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
-  if
-    type(x) ~= "number"
-    or type(y) ~= "number"
-    or type(width) ~= "number"
-    or type(height) ~= "number"
-    or not (max(x, -x) + max(y, -y) + width + height <= MOST and min(width, height) > 0)
-    or (active ~= nil and type(active) ~= "boolean")
-  then
+  local kind = type(x)
+  local isPlace = kind == "number" and kind == type(y) and kind == type(width)
+  isPlace = isPlace and kind == type(height) and min(width, height) > 0
+  isPlace = isPlace and max(x, -x) + max(y, -y) + width + height <= MOST
+  if not isPlace or active ~= nil and type(active) ~= "boolean" then
     check.object(object, registry.placeOf, b, i)
   end
 end
@@ -109,26 +106,19 @@ end
 
 -- Takes over new groups, and what is in them. What stands still is filed here.
 local function lookAtGroups(b, world)
-  local v = b.view
   settings.applyOrder(world)
-  if v.isFresh and not registry.hasChanged(b.registry, world.objects) then
+  if b.isSeen and not registry.hasChanged(b.registry, world.objects) then
     return
   end
   read.look(b, world.objects)
-  v.isFresh, v.guestCount = true, 0
+  b.isSeen = true
   for n = 1, b.enteredCount do
-    local i = b.entered[n]
-    if b.group[i] and constants.kindOf(b.object[i]) ~= STATIC then
-      v.guestCount = v.guestCount + 1
-      v.guests[v.guestCount] = i
-    elseif b.group[i] then
-      file(b, i)
+    if b.entered[n] > b.lastBody then
+      file(b, b.entered[n])
     end
   end
   for n = 1, b.movedCount do -- static ones that were read again, too
-    if b.object[b.movedList[n]] then
-      file(b, b.movedList[n])
-    end
+    file(b, b.movedList[n])
   end
 end
 
@@ -151,9 +141,6 @@ local function lookAtPlaces(b, visit)
       visit(b, i)
     end
   end
-  for n = 1, b.view.guestCount do
-    visit(b, b.view.guests[n])
-  end
 end
 
 -- Errors: something has been moved to where queries of a large world do not see it.
@@ -167,17 +154,16 @@ end
 --- Errors: those of an update, a group, key or place that cannot be used.
 function near.begin(world, wanted)
   local b = world._bodies
-  local v = b.view
   local isInside = b.asking -- of a step, which has read all
-  if not isInside and (not v.isFresh or b.moverCount <= FEW) then
+  if not isInside and (not b.isSeen or b.moverCount <= FEW) then
     lookAtGroups(b, world)
     lookAtPlaces(b, file)
   elseif world.checked and not isInside then
     lookAtPlaces(b, checkMissed)
   end
-  local c = remove(v.pool)
+  local c = remove(b.catches)
   if not c then
-    c = { found = {}, slots = {}, view = v, bodies = b }
+    c = { found = {}, slots = {}, bodies = b }
     for _, name in ipairs(COLUMNS) do
       c[name] = {}
     end
@@ -190,8 +176,8 @@ end
 --- Takes a catch back. (A filter may make queries of its own, so each has one. One that fails
 --- leaves it to the garbage collector.)
 function near.finish(c)
-  local pool = c.view.pool
-  pool[#pool + 1] = c
+  local catches = c.bodies.catches
+  catches[#catches + 1] = c
 end
 
 --- Notes that the library has moved an object: in a large world no query would see it.
@@ -302,21 +288,23 @@ function near.accepts(c, n)
 end
 
 --- Ends a query: writes what it has kept and the filter accepts into `out`, in the order of column
---- `first`, then of the world.
+--- `first`, then of the world; and the values of that column into `values`, if it is a list.
 ---@return physics.Object[] objects
 ---@return integer count
-function near.publish(c, count, first, out)
+function near.publish(c, count, first, out, values)
   local found, n = c.found, 0
   out = out or {}
+  values = values or out
   sort.by(found, count, first, c.rank, c.rank)
   for m = 1, count do
     if near.accepts(c, found[m]) then
       n = n + 1
+      values[n] = first[found[m]]
       out[n] = c.object[found[m]]
     end
   end
-  for m = #out, n + 1, -1 do
-    out[m] = nil
+  for m = max(#out, #values), n + 1, -1 do
+    out[m], values[m] = nil, nil
   end
   near.finish(c)
   return out, n
