@@ -21,8 +21,8 @@ local atlas = {}
 ---@field level physics.Level? the objects that it has added, nil: it is not there
 
 --- The part of a world that a world of Tiled or a project of LDtk has added. The lists are those
---- of all maps that are there. So are `named`, `byId`, `byIid` and `tileLayers`: the first map that has
---- a name counts. `x`, `y`, `width` and `height` are those of all maps.
+--- of all maps that are there. So are `named`, `byId`, `byIid` and `tileLayers`: the first map that
+--- has a name counts. `x`, `y`, `width` and `height` are those of all maps.
 ---@class physics.Atlas: physics.Level
 ---@field maps physics.AtlasMap[] all maps, also those that are not there
 ---@field map table the decoded world or project

@@ -21,7 +21,6 @@ compiler.INTERPRETED = {
   -- on x64: it reads what `next` has found through the lower half of a pointer to the stack.
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "place clear",
-  ["maps.tiled.tileset"] = "index",
   ["maps.recall"] = "place snapshotOf save begin find finish",
   ["maps.properties"] = "put read saysThatItMoves isEmpty",
   ["maps.tiled.tileset"] = "index",

@@ -73,7 +73,7 @@ local function findEnds(b, dt)
   local origin, isFree, velocity = b.origin, b.isFree, b.velocity
   for n = 1, b.awakeCount do
     local i = list[n]
-    local k, m, mass = 2 * i, 2 * i + 1, inverseMass[i]
+    local k, m, inverse = 2 * i, 2 * i + 1, inverseMass[i]
     local x, y = from[k], from[m]
     origin[k], origin[m] = x, y
     if kind[i] == DYNAMIC then
@@ -82,10 +82,10 @@ local function findEnds(b, dt)
     end
     if buried[i] or crowd[k] > 0 then
       holdBack(b, i)
-      mass = buried[i] and 0 or mass
+      inverse = buried[i] and 0 or inverse
     end
     local endX, endY = speed[k], speed[m]
-    give[k], give[m], freeSpeed[k], freeSpeed[m] = mass, mass, endX, endY
+    give[k], give[m], freeSpeed[k], freeSpeed[m] = inverse, inverse, endX, endY
     if kind[i] == DYNAMIC then
       local startX, startY = velocity[k], velocity[m]
       if not isFree[i] then

@@ -143,7 +143,8 @@ end
 
 -- Returns the wall that box i would end in at (x, y), and looks up what is near that place.
 local function lookUp(b, i, x, y)
-  b.to[2 * i], b.to[2 * i + 1], b.stack[1] = x, y, i
+  path.lead(b, i, x, y)
+  b.stack[1] = i
   pairFinder.run(b, b.stack, 1)
   return wallAt(b, i, x, y, 1)
 end
@@ -186,10 +187,10 @@ local function findPlace(b, i)
     if not j then
       local isFree = x and not (other > 0 and areClosing(b, one, other))
       planes.keepOnly(one, other)
-      b.to[k], b.to[k + 1] = wantX, wantY
+      path.lead(b, i, wantX, wantY)
       return isFree and x, y
     elseif not addFace(b, i, j, start[k], start[k + 1], t) then
-      b.to[k], b.to[k + 1] = wantX, wantY
+      path.lead(b, i, wantX, wantY)
       return nil
     end
     most = most + wayOf(b, j, b.from)
@@ -271,7 +272,7 @@ local function clipAll(b)
         limit = constants.KINEMATIC
         x, y = findPlace(b, i)
         limit = DYNAMIC
-        b.to[2 * i], b.to[2 * i + 1] = x or b.to[2 * i], y or b.to[2 * i + 1]
+        path.lead(b, i, x or b.to[2 * i], y or b.to[2 * i + 1])
       end
     end
   end

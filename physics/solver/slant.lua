@@ -4,10 +4,10 @@
 --
 -- Each of these pairs gets a *plane*: the tangent where the two touch, or will meet.
 --
---           n                  Along the normal n, which leads from `other` to `one`, the two must end
---           ^     o ->         at least `least` px apart (the difference of their places). If they
---      -----|----(-)-----      touch now, that is how far apart they are; if they meet later, how far
---           o                  they are there.
+--           n                Along the normal n, which leads from `other` to `one`, the two must
+--           ^     o ->       end at least `least` px apart: the difference of their places. If they
+--      -----|----(-)-----    touch now, that is how far apart they are; if they meet later, how far
+--           o                they are there.
 --          (-)
 --
 -- Both shapes are convex. So two that stay on their sides of the plane cannot overlap, at any speed
@@ -28,6 +28,7 @@ local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local rules = require(root .. ".narrowphase.rules")
 local shapes = require(root .. ".space.shapes")
+local yielding = require(root .. ".narrowphase.yielding")
 
 local slant = {}
 
@@ -58,7 +59,7 @@ function slant.begin(b)
     s.isNew, s.isFlush = {}, {} -- it was not solved yet; the two touch at the end of the step
     s.push, s.impulse = {}, {} -- by how much they are pushed apart: places, kg px; speeds, kg px/s
     s.height, s.first, s.second = {}, {}, {} -- the order, see `arrange` in press
-    s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- what a push of 1 does, see `weigh` in press
+    s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- what a push of 1 does, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
     -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
     -- next one.
@@ -111,7 +112,7 @@ end
 -- Returns whether two that close at u px/s are left to an impact.
 local function isElastic(b, i, j, u)
   local pull = max(path.largest(b.pull, 2 * i), path.largest(b.pull, 2 * j))
-  return max(b.restitution[i], b.restitution[j]) > 0 and (pull == 0 or u > 2 * b.dt * pull)
+  return yielding.elasticity(b, i, j) > 0 and (pull == 0 or u > 2 * b.dt * pull)
 end
 
 -- Returns whether one of two is round, and they can press each other.

@@ -1,9 +1,9 @@
 ---@diagnostic disable
 --- Together: lets round bodies that meet at one moment bounce off each other at once.
 --
---            (b)        a meets b and c at one moment. One after the other, b would take more than c,
---      (a)->            and which of them is first would decide it. Together both leave alike, and a
---            (c)        stays behind, or comes back.
+--            (b)      a meets b and c at one moment. One after the other, b would take more than c,
+--      (a)->          and which of them is first would decide it. Together both leave alike, and a
+--            (c)      stays behind, or comes back.
 --
 -- Let v be the velocities before, and w the nearest ones, weighed by mass, at which no pair closes.
 -- What the pairs must give for w is one impulse >= 0 each. With restitution e they give (1 + e)
@@ -18,9 +18,11 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
+local filter = require(root .. ".broadphase.filter")
 local impact = require(root .. ".solver.impact")
 local path = require(root .. ".motion.path")
 local rules = require(root .. ".narrowphase.rules")
+local yielding = require(root .. ".narrowphase.yielding")
 
 local together = {}
 
@@ -53,11 +55,11 @@ end
 local function mayJoin(b, n)
   local impacts, round = b.impacts, b.roundStamp
   local i, j, p, axis = impacts.low[n], impacts.high[n], impacts.pair[n], impacts.axis[n]
-  local isOpen = not (b.sensor[i] or b.sensor[j] or b.passing[p] or impacts.isDeep[n])
-  return isOpen
+  return not (b.passing[p] or impacts.isDeep[n])
+    and filter.areSolid(b, i, j)
     and b.inRound[i] ~= round
     and b.inRound[j] ~= round
-    and max(b.restitution[i], b.restitution[j]) > 0
+    and yielding.elasticity(b, i, j) > 0
     and ball.isRound(b, i, j)
     and not rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, false)
 end
@@ -105,7 +107,7 @@ local function prepare(b, list, t, tau)
     list.lowX[n], list.lowY[n], list.highX[n], list.highY[n] = nx * ix, ny * iy, nx * jx, ny * jy
     list.total[n] = nx * nx * (ix + jx) + ny * ny * (iy + jy)
     local isFast = u > 2 * dt * max(a, -a)
-    list.bounce[n] = isFast and max(b.restitution[i], b.restitution[j]) or 0.0
+    list.bounce[n] = isFast and yielding.elasticity(b, i, j) or 0.0
     impact.note(b, impacts.pair[c], i, impacts.axis[c], max(u, 0.0), t)
   end
 end

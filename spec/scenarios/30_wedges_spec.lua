@@ -1,4 +1,5 @@
---- Wedges: rooms that a slope narrows. Objects that stand still crush none, and let all objects out.
+--- Wedges: rooms that a slope narrows. Objects that stand still crush none, and let all objects
+--- out.
 
 local physics = require("physics")
 local small = require("spec.support.small")
