@@ -63,7 +63,7 @@ local function try(b, p, i, j, axis, iIsLow, t)
   local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = path.at(b, 2 * i, b.time[i], t), path.at(b, 2 * i + 1, b.time[i], t)
   -- The test sees all other bodies where the step began: stairs that sink under it, a little
--- higher.
+  -- higher.
   local sunk = b.carried[k] * distance < 0 and b.carried[k] * t * b.dt or 0
   x = x + (axis == 1 and distance - sunk or ahead)
   y = y + (axis == 0 and distance - sunk or ahead)

@@ -1,6 +1,6 @@
 ---@diagnostic disable
---- Slants: lists the pairs of a step that touch slanted, of which one is round: two circles, a
--- circle and a corner or a slope. `press` solves them.
+--- Slants: lists the pairs of a step with a circle that touch slanted: two circles, a circle and a
+-- corner, a circle and a slope. `press` solves them.
 --
 -- Each of these pairs gets a *plane*: the tangent where the two touch, or will meet.
 --
@@ -122,8 +122,8 @@ local function mayPress(b, i, j)
     and min(b.power[i], b.power[j]) < huge
 end
 
--- Returns by how many px two may be in each other: nothing visible, and nothing in what is
--- immovable or stronger.
+-- Returns by how many px two bodies may be in each other: by nothing that shows, and not at all if
+-- one of them is immovable or stronger.
 local function slopOf(b, i, j)
   local areEqual = b.give[2 * i] > 0 and b.give[2 * j] > 0 and b.power[i] == b.power[j]
   return areEqual and SLOP * ball.smallest(b, i, j) or EPSILON / 2

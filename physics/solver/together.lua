@@ -1,15 +1,15 @@
 ---@diagnostic disable
---- Together: lets round bodies that meet at one moment bounce off each other at once.
+--- Together: makes round bodies that meet at one moment bounce off each other at once.
 --
 --            (b)      a meets b and c at one moment. One after the other, b would take more than c,
 --      (a)->          and which of them is first would decide it. Together both leave alike, and a
 --            (c)      stays behind, or comes back.
 --
 -- Let v be the velocities before, and w the nearest ones, weighed by mass, at which no pair closes.
--- What the pairs must give for w is one impulse >= 0 each. With restitution e they give (1 + e)
--- times that, so the velocities after are v + (1 + e) (w - v). For e = 1 that is v mirrored at w,
--- which keeps the energy: w - v is normal to w (else w were not the nearest). What closes then,
--- behind the first ones, meets in the next round, at the same moment.
+-- Each pair gives an impulse >= 0 for w. With restitution e it gives (1 + e) times that, so the
+-- velocities after are v + (1 + e) (w - v). For e = 1 that is v mirrored at w, which keeps the
+-- energy: w - v is normal to w (else w would not be the nearest). Pairs that close then, behind the
+-- first ones, meet in the next round, at the same moment.
 --
 -- The impulses are found pair by pair, each >= 0, until none changes (projected Gauss-Seidel).
 --
