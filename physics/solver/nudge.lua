@@ -11,8 +11,8 @@
 -- does not move the other way by itself, and if the place is free (`mayGo`, `try`). A hit on the
 -- side towards gravity is not corrected, or bodies would slip off the edges on which they stand.
 --
--- A body in a gap that is as wide as it is gets past one corner, and then may hit the other one:
--- so a pair is corrected at most MOST times in a step.
+-- Another body may push it back, so that it hits the same corner again: a pair is corrected at most
+-- MOST times in a step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")

@@ -81,7 +81,8 @@ local function slotsOf(b, p)
   return i, j
 end
 
---- Returns how high two are against the gravity of the world; with an immovable one, above all.
+--- Returns how high slots i and j are against the gravity of the world; if one of them is
+--- immovable, higher than all pairs that can move.
 function slant.heightOf(b, i, j)
   local axis = b.downAxis
   local one, other = b.from[2 * i + axis], b.from[2 * j + axis]
@@ -90,7 +91,7 @@ function slant.heightOf(b, i, j)
   return areDynamic and (path.isPulled(b, i) or path.isPulled(b, j)) and height or huge
 end
 
---- Returns the difference of the places (or velocities) of two along a normal.
+--- Returns the difference of the places (or velocities) of two bodies along a normal.
 function slant.along(column, i, j, nx, ny)
   local k, m = 2 * i, 2 * j
   return (column[k] - column[m]) * nx + (column[k + 1] - column[m + 1]) * ny
@@ -109,13 +110,13 @@ local function passes(b, p, i, j, nx, ny, isDeep)
   return rules.passes(b, p, 2 * low + axis, 2 * (i + j - low) + axis, axis, isDeep)
 end
 
--- Returns whether two that close at u px/s are left to an impact.
+-- Returns whether two bodies that close at u px/s are left to an impact.
 local function isElastic(b, i, j, u)
   local pull = max(path.largest(b.pull, 2 * i), path.largest(b.pull, 2 * j))
   return yielding.elasticity(b, i, j) > 0 and (pull == 0 or u > 2 * b.dt * pull)
 end
 
--- Returns whether one of two is round, and they can press each other.
+-- Returns whether slot i or slot j is round, and they can press each other.
 local function mayPress(b, i, j)
   return ball.isRound(b, i, j)
     and b.give[2 * i] + b.give[2 * j] > 0

@@ -64,15 +64,15 @@ local function mayJoin(b, n)
     and not rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, false)
 end
 
--- Adds impact n to the list, and its bodies to those that are marked.
+-- Adds impact n to the list, and marks its bodies.
 local function join(b, list, n)
   list.count = list.count + 1
   list.impact[list.count] = n
   list.at[b.impacts.low[n]], list.at[b.impacts.high[n]] = list.stamp, list.stamp
 end
 
--- Lists the n-th impact and those behind it that happen at the same moment, and of which a body
--- that can move takes part in one that is listed.
+-- Lists the n-th impact and the later impacts that happen at the same moment and are linked with
+-- it: a body that can move takes part in both, or in others between them.
 local function gather(b, list, n)
   local impacts, at, stamp = b.impacts, list.at, list.stamp + 1
   local order, moment = impacts.order, impacts.moment
@@ -139,8 +139,8 @@ local function solve(b, list)
   end
 end
 
---- Lets the impact that is the n-th of this round, and those of round bodies that are linked with
---- it at the same moment, happen together. Returns their list; nil: there are no others.
+--- Resolves the n-th impact of this round together with the impacts of round bodies that are linked
+--- with it at the same moment. Returns their list; nil: there are no others.
 function together.run(b, n)
   b.together = b.together or newList()
   local list, impacts = b.together, b.impacts
