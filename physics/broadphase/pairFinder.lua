@@ -29,6 +29,10 @@ local MARGIN = 1
 -- Few objects leave it in that time. An object with `hits` meets few others, and may reach further.
 local AHEAD, FARTHEST, FARTHEST_AIMED = 10.0, 8.0, 64.0
 
+--- px: the pairs of round bodies that are as near as that are known when slanted contacts are
+--- looked for. (Otherwise which are known depends on the past.)
+pairFinder.REACH = 1.5
+
 -- Lists in b.parted the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
 -- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
 -- step has been told.
@@ -202,7 +206,7 @@ function pairFinder.run(b, list, count, reach)
     end
   end
   if n > 0 then
-    lookUp(b, strays, n, MARGIN + free)
+    lookUp(b, strays, n, MARGIN + (b.hasRound and pairFinder.REACH * 0.5 or 0))
   end
 end
 

@@ -41,8 +41,7 @@ local SLOP, LOST = 0.002, 0.25
 -- Pairs get a plane although they may not meet if they are nearer than this share of the smaller
 -- size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
--- px: as near as that, all pairs are known. (Otherwise which are depends on the past.)
-local REACH = 1.5
+local REACH = pairFinder.REACH
 -- Share of an overlap that is taken away in a step.
 local PACE = 0.5
 
@@ -217,7 +216,7 @@ end
 local function findPair(b, p)
   local i, j = slotsOf(b, p)
   local hasTurned = b.time[i] > 0 or b.time[j] > 0 or b.pieceLast[i] > 0 or b.pieceLast[j] > 0
-  if hasTurned or not heap.mayPush(b, p, i, j) then
+  if hasTurned or isElastic(b, i, j, -huge) or not heap.mayPush(b, p, i, j) then
     return false
   end
   local time, nx, ny, gap = meeting(b, i, j)
@@ -282,10 +281,11 @@ end
 function slant.findLate(b)
   pairFinder.run(b, b.awakeList, b.awakeCount)
   contacts.noteNew(b)
+  local touches, pairA, pairB, to = b.touches, b.pairA, b.pairB, b.to
   for n = 1, b.liveCount do
     local p = b.live[n]
+    local mayBeIn = touches[p] < CONTACT and boxes.gap(b, to, pairA[p], pairB[p]) < -EPSILON
     local i, j = slotsOf(b, p)
-    local mayBeIn = b.touches[p] < CONTACT and boxes.gap(b, b.to, i, j) < -EPSILON
     if mayBeIn and mayPress(b, i, j) and heap.mayPush(b, p, i, j) then
       local gap, nx, ny = ball.gapIn(b, b.to, i, j)
       local isNew = gap < -EPSILON and ball.gapIn(b, b.origin, i, j) >= -EPSILON
