@@ -8,11 +8,11 @@ local forms = require(root .. ".fields.forms")
 local filter = {}
 
 local DYNAMIC, STATIC, max = constants.DYNAMIC, constants.STATIC, math.max
--- So many different lists of `hits` are shared by the objects that have equal ones.
+-- Maximum number of different lists of `hits` that objects with equal lists share.
 local MOST_LISTS = 16
 
---- Returns what the library keeps of a list of `hits`: `names`, a copy, and `has`, by name. Objects
---- with equal lists share it.
+--- Returns the record that the library keeps of a list of `hits`: `names`, a copy, and `has`, by
+--- name. Objects with equal lists share it.
 function filter.readHits(b, list)
   local lists = b.hitLists
   for n = 1, #lists do
@@ -64,20 +64,20 @@ function filter.reason(b, i, j)
   end
   if mostFree == STATIC or mostFree < DYNAMIC and not (b.sensor[i] or b.sensor[j]) then
     return "immovable"
-  elseif filter.isSoft(b, i, j) then -- most, in a crowd
+  elseif filter.isSoft(b, i, j) then -- most pairs in a crowd
     return "soft"
   elseif filter.refusal(b, i, j) or filter.refusal(b, j, i) then
     return "mask"
   end
 end
 
---- Returns whether each of two is solid on all its sides.
+--- Returns whether both slots are solid on all their sides.
 function filter.areSolid(b, i, j)
   return not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
 end
 
---- Returns whether an object that is not dynamic, or any one (`isAny`), can be in the way of
---- another: it is solid for it on every side.
+--- Returns whether an object that is not dynamic, or any object (`isAny`), can be in the way of
+--- another object: it is solid for that on every side.
 function filter.blocks(b, i, j, isAny)
   return (isAny or b.kind[j] ~= DYNAMIC)
     and not b.sensor[i]

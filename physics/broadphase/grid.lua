@@ -2,12 +2,26 @@
 --- Grid: finds in a hierarchical grid which fat boxes meet others, or a rectangle (for lines see
 -- gridLines.lua). It is a hash table of fixed arrays.
 --
--- An object is in exactly one cell: the one that holds the top-left corner of its fat box. Its
--- level is the first one with cells at least as large as the box; each level doubles the size of
--- the cells. A query looks at the cells of the rectangle on every level in use. It also looks as
--- far before the rectangle as the boxes of the level are wide. No object that meets the rectangle
--- can start in another cell. Cells are lists in a fixed number of buckets, so empty ones cost
--- nothing and leave nothing behind.
+-- An object is in exactly one cell: the cell that holds the top-left corner of its fat box, on the
+-- first level with cells at least as large as the box. Each level doubles the size of the cells:
+--
+--      level 0                level 1
+--      +---+---+---+---+      +-------+-------+      a is as large as a cell of level 0 or smaller,
+--      |   | a-|-. |   |      |       |       |      b of level 1. So a box reaches from its cell
+--      +---+-|-+-|-+---+      |   b---|----.  |      into the next one at most, on its level.
+--      |   | `-|-' |   |      |   `---|----'  |
+--      +---+---+---+---+      +-------+-------+
+--
+-- A query looks at the cells of its rectangle on every level in use, and at the cells before them,
+-- as far as the boxes of the level are wide (`reach`). No object that meets the rectangle can start
+-- in another cell. On a single level, small objects among large ones would share few huge cells, or
+-- large objects would be in many small ones; with levels, a query looks at a few cells for each
+-- level that is in use. If its rectangle takes more cells than there are objects, it looks at all
+-- objects (`mostCells`).
+--
+-- Cells are lists in a fixed number of buckets, which the hash of a cell chooses. So empty cells
+-- cost nothing and leave nothing behind. Two cells may share a bucket: the key of an object tells
+-- which cell it is in.
 --
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
@@ -22,8 +36,8 @@ local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, 
 local DEFAULT_CELL = 48
 local LEVELS = 18
 local FIRST_BUCKETS = 64
--- By a number of the smallest cells side by side: the level of the cells that are as wide as these,
--- and how many times they are as wide as one.
+-- By a number of cells of level 0 side by side: the first level with cells that are as wide as all
+-- of these, and the width of such a cell in cells of level 0.
 ---@type number[], number[]
 local LEVEL_OF, WIDTH_OF = { 0 }, { 1 }
 for n = 2, 64 do
@@ -35,8 +49,8 @@ local FAR = 4194304
 local SLACK = 1e-3
 -- Factors of `hash` for the place and the level of a cell.
 local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
--- Factors of the key of a cell, which no other cell has: a whole number below 2^53 that holds all
--- three.
+-- Factors of the key of a cell, which no other cell has: a whole number below 2^53 that holds the
+-- place and the level.
 local KEY_X, KEY_Y = 1073741824, 64
 
 -- For gridLines.
@@ -116,8 +130,8 @@ local function levelFor(self, size)
   return level + LEVEL_OF[n], cell * WIDTH_OF[n]
 end
 
--- The lists are changed without branches (jit: 2): place 0 of each column, and bucket 0, take what
--- would be written to no object.
+-- The lists are changed without branches (jit: 2): writes that belong to no object go to place 0 of
+-- each column, and to bucket 0.
 
 local function file(self, i, level, cellX, cellY)
   local bucket = bucketOf(hash(cellX, cellY, level), self.buckets, 1 / self.buckets)
@@ -191,7 +205,7 @@ end
 -- Overlaps of many objects are found in stages, each of which is one loop (jit: 3):
 -- 1. which rectangles of cells to look at;
 -- 2. which of those cells hold anything;
--- 3. what is in them.
+-- 3. which objects are in them.
 --
 -- A rectangle of cells is six numbers side by side, a cell is three.
 local RANGE, CELL = 6, 3
@@ -209,8 +223,8 @@ local function isWide(self, width, height, most)
   return (width / cell + 3) * (height / cell + 3) > most
 end
 
--- Lists the rectangles of cells of one level in which something may meet the fat boxes of those in
--- `list`.
+-- Lists the rectangles of cells of one level in which objects may meet the fat boxes of the objects
+-- in `list`.
 local function addRanges(self, list, count, level, cell, most, n)
   local reach, share = self.reach[level], 1 / cell
   local ranges, fatLow, fatHigh = self.ranges, self.bodies.fatLow, self.bodies.fatHigh
@@ -264,7 +278,7 @@ local function contact(fatLow, fatHigh, k, m)
   )
 end
 
--- Walks through the cells, and lists what is in them and meets the object that asks.
+-- Walks through the cells, and lists the objects in them that meet the object that asks.
 local function addMembers(self, list, cellCount, askers, found)
   local cells, nextInBucket, keys = self.cells, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh

@@ -26,7 +26,7 @@ local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 -- Margin around a path, px, and around a static object, which does not move.
 local MARGIN = 1
 -- A fat box reaches AHEAD steps further in the direction of motion, but no more than FARTHEST px.
--- Few objects leave it in that time. What has `hits` meets little, and may reach further.
+-- Few objects leave it in that time. An object with `hits` meets few others, and may reach further.
 local AHEAD, FARTHEST, FARTHEST_AIMED = 10.0, 8.0, 64.0
 
 --- px: the pairs of round bodies that are as near as that are known when slanted contacts are
@@ -90,8 +90,8 @@ local function listNew(b, count)
   return n
 end
 
--- Wakes bodies that have a new neighbour. A kinematic one that stands is a wall, and need not wake
--- for a dynamic one.
+-- Wakes bodies that have a new neighbour. A kinematic body that stands is a wall, and need not wake
+-- for a dynamic neighbour.
 local function wakeLinked(b, count)
   local ones, others, awake, kind = b.linkOne, b.linkOther, b.awake, b.kind
   for n = 1, count do
@@ -106,7 +106,7 @@ local function wakeLinked(b, count)
 end
 
 -- Links the bodies in strays[1..count] with all bodies that their fat boxes meet and that they can
--- meet at all. They are strays no more.
+-- meet at all. They are no strays any more.
 local function linkNear(b, strays, count)
   local strayAt = b.strayAt
   local n = listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found))
@@ -146,9 +146,9 @@ local function enlarge(b, strays, count, margin)
   end
 end
 
--- Static bodies meet no other static ones. If there are more strays than bodies that can move, some
--- are static, and all that can move are asked instead. Puts these into `strays`, and returns how
--- many they are.
+-- Static bodies meet no static bodies. If there are more strays than bodies that can move, some
+-- strays are static; then all bodies that can move are asked instead. Puts these into `strays`, and
+-- returns how many they are.
 local function askMovers(b, strays, count)
   local placed, strayAt, movers, n = b.placed, b.strayAt, b.movers, 0
   if count <= b.moverCount then
@@ -167,7 +167,7 @@ local function askMovers(b, strays, count)
   return n
 end
 
--- Looks up the neighbours of the bodies in `strays[1..count]`, with that margin around their paths.
+-- Looks up the neighbours of the bodies in `strays[1..count]`, with a margin around their paths.
 local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, margin)
@@ -176,12 +176,12 @@ local function lookUp(b, strays, count, margin)
 end
 
 --- Looks up the neighbours of the bodies in `list[1..count]` with paths that leave their fat boxes.
---- A body that is listed twice is looked at once, one that has left the world not at all. `reach`:
---- all pairs are to be known of which the paths come as near as that, px, default 0.
+--- A body that is listed twice is looked at once, a body that has left the world not at all.
+--- `reach`: all pairs of paths that come as near as that are to be known, px, default 0.
 function pairFinder.run(b, list, count, reach)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
-  local free = (reach or 0) * 0.5 -- what a path leaves of its fat box, px
+  local free = (reach or 0) * 0.5 -- px of its fat box that a path must leave free
   for at = 1, count do
     local i = list[at]
     local k, m = 2 * i, 2 * i + 1
@@ -210,8 +210,8 @@ function pairFinder.markMoved(b, i)
   end
 end
 
--- Ends the pairs of an object that are not possible any more. If it stands on the other one, it
--- stands on nothing then: that slot may be used for another object soon.
+-- Ends the pairs of an object that are not possible any more. If an object of such a pair stands on
+-- the other object, it stands on nothing then: that slot may be used for another object soon.
 local function unlink(b, i)
   local n, support = 0, b.support
   for _, j, p in links.neighbours(b, i) do

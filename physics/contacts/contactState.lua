@@ -21,8 +21,8 @@ local contactState = {}
 local DYNAMIC = constants.DYNAMIC
 local EPSILON, OPPOSITE, INSIDE = constants.EPSILON, constants.OPPOSITE, boxes.INSIDE
 
--- Returns the side of slot i on which two are flush at the end of the step, else 0; INSIDE if they
--- overlap.
+-- Returns the side of slot i on which it and slot j are flush at the end of the step, else 0;
+-- INSIDE if they overlap.
 local function sideOf(b, p, i, j)
   return b.hasShapes and touch.side(b, p, i, j) or boxes.flushSide(b, i, j)
 end
@@ -39,8 +39,8 @@ local function isPressed(b, i, j, side)
   return iDynamic and b.pressedLow[ki] or jDynamic and b.pressedHigh[kj]
 end
 
--- Remembers on which axis two that are left overlapping came into each other: they may only
--- separate there.
+-- Remembers on which axis two bodies that are left overlapping came into each other: they may only
+-- part there.
 local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
@@ -59,14 +59,13 @@ local function wedge(b, p, i, j)
   end
 end
 
--- Notes that the dynamic ones of two overlapping bodies must be separated (see
--- solver/overlap.lua).
+-- Notes that two overlapping bodies must be parted, if they are dynamic (see overlaps/overlap.lua).
 local function leaveInside(b, i, j)
   b.inside[i], b.inside[j] = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
   b.hasInside = true
 end
 
--- Returns the side of the first body of pair p on which two that overlap would separate by the
+-- Returns the side of the first body of pair p on which the two, which overlap, would part by the
 -- shortest way.
 local function shortestSide(b, p)
   local i, j = b.pairA[p], b.pairB[p]
@@ -95,12 +94,13 @@ local function deepContact(b, p, i, j)
     leaveInside(b, i, j)
   end
   local side = isWedged and b.wedged[p] or b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
-  -- A buried body touches what it is in.
+  -- A buried body touches the object that it is in.
   return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, p) or side
 end
 
--- Returns the side on which a solid pair that does not overlap is in contact now, else 0. What the
--- game must be asked about is in contact once it was asked: in the next step, if nothing was hit.
+-- Returns the side on which a solid pair that does not overlap is in contact now, else 0. A pair
+-- about which the game must be asked is in contact once it was asked: in the next step, if there
+-- was no hit.
 local function flushContact(b, p, i, j, side)
   local isOpen = b.hasAskers and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
   if isOpen or b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
@@ -153,7 +153,7 @@ function contactState.update(b, p)
     if now ~= 0 then
       events.stay(b, p, now)
     elseif isStill(b, i) and isStill(b, j) then
-      b.hit[p] = 0 -- what was put back has met nothing: it may sleep
+      b.hit[p] = 0 -- a body that was put back has met nothing: it may sleep
     elseif b.hit[p] ~= 0 then
       events.bounce(b, p, b.hit[p], b.hitSpeed[p])
       b.mustStayAwake[i], b.mustStayAwake[j] = true, true -- each bounce is an event

@@ -1,5 +1,5 @@
 ---@diagnostic disable
---- Events: collects from a step what has happened, and calls the callbacks of the game after it.
+--- Events: collects the events of a step, and calls the callbacks of the game after it.
 --- The kind of an event is the name of its callback: a row of `fields` with `event`.
 --
 -- Events wait in a list of their own, as objects and not as slots, because callbacks may do
@@ -23,12 +23,12 @@ local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.O
 local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
 
---- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
+--- The values of an event besides its objects `a`, `b` and `c`: each has a list, by event.
 events.VALUES = {
   "kind", -- the name of its callback
   "side", -- of `a`; or the name of an axis, or false (see `event` in fields/fields)
   "speed", -- px/s; of `onStay`: s, the length of its step
-  "leant", -- 1: the contact begins because one leans on the other, without a hit
+  "leant", -- 1: the contact begins because one object leans on the other, without a hit
   "rankA",
   "rankB",
   "x1", -- of `onBegin`: the ends of the common edge
@@ -37,7 +37,7 @@ events.VALUES = {
   "y2",
 }
 
--- By kind: what it tells.
+-- By kind of event: the values that its callback gets.
 local TELLS = {}
 for _, row in ipairs(fields.events) do
   TELLS[row.name] = row.event
@@ -81,9 +81,9 @@ local function note(b, kind, i, j, third, side, speed)
   e.x1[n], e.y1[n], e.x2[n], e.y2[n] = 0, 0, 0, 0
 end
 
--- Tells the last event, of pair p on `side` of its first, where it was: where the two hit, or where
--- they touch at the end of the step. (Of two boxes that overlap the first in the order of the world
--- counts.)
+-- Adds its place to the last event, of pair p on `side` of its first object: where the two hit, or
+-- where they touch at the end of the step. (If two boxes overlap, the first in the order of the
+-- world counts.)
 local function locate(b, p, side)
   local e, n, i, j = b.events, b.events.count, b.pairA[p], b.pairB[p]
   local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
@@ -100,7 +100,8 @@ local function locate(b, p, side)
 end
 
 --- Notes an event of the objects in slots i and j, if it has a callback. The first one in the order
---- of the world becomes `a`. `side` is that of slot i. Of one object alone j is i, and no side.
+--- of the world becomes `a`. `side` is that of slot i. For an event of one object alone, j is i,
+--- and there is no side.
 function events.add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
@@ -176,14 +177,14 @@ function events.tellCrush(b)
 end
 
 --- Returns whether two slots in contact do not touch any more where they are now. (A contact with
---- an object that has become a sensor goes on while the other one passes through it.)
+--- an object that has become a sensor goes on while the other object passes through it.)
 function events.isApart(b, i, j)
   return boxes.gap(b, b.position, i, j) > EPSILON
 end
 
---- Ends the contacts of a slot with all, or those for which `isOver(b, i, j)`, because the game has
---- changed one of the two. It is no longer wedged into them, and there may be room now. (It may
---- touch them again in the same step.)
+--- Ends the contacts of a slot with all others, or with the slots for which `isOver(b, i, j)`,
+--- because the game has changed it or them. It is no longer wedged into them, and there may be room
+--- now. (It may touch them again in the same step.)
 function events.endContacts(b, i, isOver)
   for _, j, p in links.neighbours(b, i) do
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
@@ -295,8 +296,8 @@ end
 
 --- Tells the game all events, in batches (see `arrange`). In a batch, pairs are in the order of the
 --- world, and contacts that begin without a hit come last. An error in a callback passes through;
---- the next call tells the rest. `isOld`: only what an error has left: what `save` has noticed
---- waits for the end of the step, as it does without `save`.
+--- the next call tells the rest. `isOld`: only the events that an error has left: events that
+--- `save` has noticed wait for the end of the step, as they do without `save`.
 function events.tell(b, isOld)
   local e = b.events
   if e.count == 0 or (isOld and e.told == 0) then

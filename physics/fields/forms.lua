@@ -1,6 +1,6 @@
 ---@diagnostic disable
---- What columns hold of a value of the game, where that is not the value itself. A form belongs to
---- a type of rows (see fields/fields), so a field needs no code of its own here.
+--- Forms: how columns hold a value of the game, where they do not hold the value itself. A form
+--- belongs to a type of rows (see fields/fields), so a field needs no code of its own here.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")
@@ -8,12 +8,12 @@ local fields = require(root .. ".fields.fields")
 local layout = require(root .. ".memory.layout")
 
 ---@class physics.Form
----@field keep function? (b, value) -> what a column holds: a copy, so that a change is found
----@field isKept function? (value, kept) -> whether a value says what is kept; false: nothing is
+---@field keep function? (b, value) -> the value of a column: a copy, so that a change is found
+---@field isKept function? (value, kept) -> whether a value equals the kept one; false: nothing is
 
 local forms = {}
 
---- Returns whether two values are the same, or tables that hold the same.
+--- Returns whether two values are equal, or tables with equal entries.
 function forms.isSame(one, other)
   if type(one) ~= "table" or type(other) ~= "table" then
     return one == other
@@ -75,7 +75,7 @@ function forms.of(row)
   return BY_TYPE[row.type] or row.yes and SIDE or PLAIN
 end
 
---- Returns what a column holds for nil, by the kind of the object (of an empty slot: nil).
+--- Returns the value of a column for nil, by the kind of the object (of an empty slot: nil).
 function forms.absent(row, kind)
   if row.none ~= nil and (kind ~= constants.DYNAMIC or row.default == nil) then
     return row.none

@@ -18,11 +18,11 @@ local allot = {}
 local floor, max, min, remove = math.floor, math.max, math.min, table.remove
 ---@type any, any
 local EVERY, BODY = layout.EVERY, layout.BODY
--- Slots are prepared ahead: for what is coming, and so many.
+-- Slots are prepared ahead: for the objects that are coming, and so many more.
 local AHEAD = 32
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
--- there is room for one in MORE of all of them on top. (What is in the way must move: with half of
--- them on top, one frame of a level of 20 000 tiles takes 9 ms.)
+-- there is room for one in MORE of all of them on top. (The static bodies in the way must move:
+-- with half of them on top, one frame of a level of 20 000 tiles takes 9 ms.)
 local ROOM, MORE = 8, 16
 -- Places in the first array of a column, and by how much one grows. An array has more places than
 -- are needed now: else each frame in which a level gets a few slots more would copy all columns.
@@ -32,7 +32,8 @@ local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
 local KEEPERS = { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored" }
 local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
 
---- Names the columns that hold what acts on a body, with zones and without (see zones).
+--- Names the columns of gravity, air friction and drag of a body, with zones and without (see
+--- zones).
 function allot.chooseFlow(b)
   if b.hasZones then
     b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
@@ -173,7 +174,7 @@ local function moveNoted(b)
   end
   for n = 1, b.leftCount do
     local i, j = left[n], movedTo[left[n]]
-    local slots = b.group[j] and b.group[j].slots or {} -- (what has gone is in none)
+    local slots = b.group[j] and b.group[j].slots or {} -- (an object that has gone is in none)
     b.slotOf[b.object[j]], slots[b.seat[j]] = j, j
     if b.placed[j] ~= 0 then
       b.broadphase:remove(i)
@@ -198,7 +199,7 @@ local function makeRoom(b, count)
       note(b, i, takePlace(b, 1))
     end
   end
-  moveNoted(b) -- and what was noted before
+  moveNoted(b) -- and the bodies that were noted before
 end
 
 -- Notes the bodies of a list that have no slot with all columns, and takes one for each.

@@ -17,8 +17,9 @@ local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 
 --- By file: the functions that are not compiled.
 compiler.INTERPRETED = {
-  -- What goes through a table by `next` or `pairs`. LuaJIT of 2022 makes code of it that may crash
-  -- on x64: it reads what `next` has found through the lower half of a pointer to the stack.
+  -- Functions that go through a table by `next` or `pairs`. LuaJIT of 2022 makes code of them that
+  -- may crash on x64: it reads the result of `next` through the lower half of a pointer to the
+  -- stack.
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "place clear",
   ["maps.recall"] = "place snapshotOf save begin find finish",
@@ -59,8 +60,8 @@ local function export(_, f)
   exported[f] = true
 end
 
--- Leaves functions of a module alone: of those that it gives to others, and the local ones that
--- these use. What comes from other files is left out: they give it to others.
+-- Leaves functions of a module alone: of the functions that it gives to others, and of the local
+-- functions that these use. Functions of other files are left out: their turn comes with that file.
 local function leave(module, names)
   local wanted, seen = {}, {}
   for name in names:gmatch("%S+") do

@@ -1,20 +1,32 @@
 ---@diagnostic disable
 --- Soft crowds: computes how fast bodies of soft groups drift apart, and adds that to their paths.
 --
--- Two that overlap get a velocity apart along the line between their middles, in proportion to how
--- deep: `soft` px/s on the longer axis for two at one place, shared by their masses. The velocities
--- of all its pairs add up to the *drift* of a body, which is at most the largest `soft` of its
--- group. It is added to the path of this step and taken off again after it, so that what is solid
--- stops it as any other motion.
+-- Two bodies that overlap get a velocity apart along the line between their middles, in proportion
+-- to the depth: `soft` px/s on the longer axis for two bodies at one place, shared by their masses.
+-- The velocities of all its pairs add up to the *drift* of a body, which is at most the largest
+-- `soft` of its group. The drift is added to the path of this step and taken off again after it, so
+-- that solid objects stop it as any other motion.
 --
--- Those that overlap, or may in this step, are found in cells, sorted by counting: a body is
--- compared with what begins after it in its row, and in the rows down to its lower edge. Sums do
--- not depend on that order: all velocities are rounded to multiples of 2^-20 px/s, which add up
--- exactly.
+--      [ a [ ] b ]        Let d be the distance of the middles on an axis, h the sum of the half
+--      <-       ->        sizes there, and f the larger d / h of both axes. Then the pair parts at
+--       | d  |            soft (1 / f - 1) d / h:  `soft` at one place, 0 when the two touch.
 --
--- A step is made in parts, the stages of a Runge-Kutta-Legendre scheme: they stay stable for a
--- stiffness that grows with their number squared. What its drift nearly stops is slowed, so that a
--- crowd comes to stand (see `listDrifted`).
+-- The places x of a crowd follow x' = v(x), whose stiffness is the rate soft / size of a pair times
+-- the number of pairs of a body. One step of v dt overshoots if that rate times dt is above 2: a
+-- dense crowd would explode. So a step is made in s parts, the stages of a Runge-Kutta-Legendre
+-- scheme, with z = rate * dt:
+--
+--      Y_n = Y_(n-1) + (n - 1) / n (Y_(n-1) - Y_(n-2)) + (4 n - 2) / (n (s² + s)) v(Y_(n-1)) dt
+--
+-- It is stable up to z = s² + s, so s grows only with the root of the density:
+-- s = ceil(sqrt(z + 1/4) - 1/2), at most MOST_PARTS. (In `advance`, `keep` and `part` are the two
+-- factors.) Beyond that, only the limit of the drift bounds it. A body that its drift nearly stops
+-- is slowed further, so that a crowd comes to stand (see `listDrifted`).
+--
+-- The pairs that overlap, or may in this step, are found once, in cells, sorted by counting: a body
+-- is compared with the bodies that begin after it in its row, and in the rows down to its lower
+-- edge. Sums do not depend on that order: all velocities are rounded to multiples of 2^-20 px/s,
+-- which add up exactly.
 --
 -- Source: C. D. Meyer, D. S. Balsara, T. D. Aslam, A second-order accurate Super TimeStepping
 -- formulation for anisotropic thermal conduction, 2012 (RKL1, the scheme of first order).
@@ -30,18 +42,19 @@ local DYNAMIC = constants.DYNAMIC
 local ceil, floor, huge, max, min, sqrt =
   math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
 
--- Adding it and taking it off again rounds what is below 2^31 to a multiple of 2^-20.
+-- Adding this number and taking it off again rounds a number below 2^31 to a multiple of 2^-20.
 local ROUNDING = 6442450944.0
--- Less than that part of their size apart, two are at one place.
+-- Two bodies are at one place if they are less apart than this share of their size.
 local NEAREST = 1e-6
--- A step is made in parts, at most so many: the more, the faster those part that are near, and the
--- more these are.
+-- Maximum number of parts of a step. There are more parts, the faster near bodies part, and the
+-- more pairs a body has.
 local MOST_PARTS = 12
--- Of the way of the fastest drift in a step: what is no further apart may overlap in this step.
+-- Share of the way of the fastest drift in a step: bodies that are no further apart may overlap in
+-- this step.
 local NEAR = 0.5
 -- Cells across a body of mean size; height of a row of cells, in such bodies; cells for each body.
 local FINE, HIGH, CELLS = 4, 1.5, 4
--- Directions in which two at one place part, by the order of the world.
+-- Directions in which two bodies at one place part, by the order of the world.
 ---@type table<number, number>
 local WAYS_X = { 1.0, 0.25, 0.5, -1.0, 1.0, 0.75, -0.5, 0.5 }
 ---@type table<number, number>
@@ -69,7 +82,7 @@ local function newWork()
     shareOne = {},
     shareOther = {},
     now = { [0] = {}, {} }, -- by axis: velocity apart in a part of the step
-    last = { [0] = {}, {} }, -- by axis: what the last part has added to the drift, px/s
+    last = { [0] = {}, {} }, -- by axis: velocity that the last part has added to the drift, px/s
     drifted = {}, -- slots with a drift: b.driftedCount
     speed = {}, -- by index: velocity at the end of the step without it
   }
@@ -144,7 +157,7 @@ local function sortCells(work)
   end
 end
 
--- Returns the shares of what takes two apart: 0 for what is not moved by the other.
+-- Returns the shares of the velocity apart that slot i and slot j take; 0: it is not moved.
 local function weigh(b, i, j)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
   if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and b.power[i] ~= b.power[j] then
@@ -156,9 +169,9 @@ local function weigh(b, i, j)
   return wi / total, wj / total
 end
 
--- Lists the pair of m and n, as the one after `count`, with the share of each and how fast they
--- part, if they are soft to each other and no mask refuses it. Returns how many there are now.
--- (Most are alike: asking all would make a step a twentieth longer.)
+-- Lists bodies m and n as the pair after `count`, with their shares and the speed at which they
+-- part, if they are soft to each other and no mask refuses it. Returns how many pairs there are
+-- now. (Most bodies are alike: asking the masks of all would make a step a twentieth longer.)
 local function addPair(b, work, count, m, n)
   local i, j, plain = work.slot[m], work.slot[n], work.plain
   local areAlike, speed = plain[m] and plain[m] == plain[n], work.row[m][work.name[n]]
@@ -170,9 +183,9 @@ local function addPair(b, work, count, m, n)
   return count
 end
 
--- Lists the pairs of those that are no further apart than `near` px: each with what begins after it
--- in its row, and in the rows down to its edge; `most`: the largest width, px. Returns how many
--- there are, and how many for each body that is listed with others.
+-- Lists the pairs of bodies that are no further apart than `near` px: a body with the bodies that
+-- begin after it in its row, and in the rows down to its lower edge; `most`: the largest width, px.
+-- Returns how many pairs there are, and how many for each body that begins one.
 local function listNear(b, work, near, most)
   local x, y, halfX, halfY = work.place[0], work.place[1], work.reach[0], work.reach[1]
   local start, across, partX, partY = work.start, work.across, work.partX, work.partY
@@ -195,8 +208,8 @@ local function listNear(b, work, near, most)
   return count, count / max(bodies, 1)
 end
 
--- Lists those that are no further apart than `near` px. Returns the mean size, px, and what
--- `listNear` returns.
+-- Lists the pairs of bodies that are no further apart than `near` px. Returns the mean size, px,
+-- and the two numbers of `listNear`.
 local function findNear(b, work, near)
   local lowX, highX, width, most = extent(work, 0)
   local lowY, highY, height = extent(work, 1)
@@ -210,14 +223,14 @@ local function findNear(b, work, near)
   return mean, listNear(b, work, near, most)
 end
 
--- Returns a way in which two at one place part.
+-- Returns the vector along which slots i and j part if they are at one place.
 local function wayOf(b, i, j)
   local at = (b.seat[i] + b.seat[j]) % #WAYS_X + 1
   local sign = b.rank[i] < b.rank[j] and 1 or -1
   return WAYS_X[at] * sign * NEAREST, WAYS_Y[at] * sign * NEAREST
 end
 
--- Adds up what each pair does to both.
+-- Adds the velocity of each pair to both of its bodies.
 local function push(b, work, count)
   local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
   local nowX, nowY, shareOne, shareOther = work.now[0], work.now[1], work.shareOne, work.shareOther
@@ -238,8 +251,9 @@ local function push(b, work, count)
   end
 end
 
--- Makes a part of a step of dt s: adds to the drift a share `keep` of what the last part added, and
--- `part` of the velocity now. `own` is the same sum for the bodies' own velocities.
+-- Makes a part of a step of dt s: adds to the drift the share `keep` of the velocity that the last
+-- part added, and the share `part` of the velocity now. `own` is the same sum for a constant
+-- velocity of 1, by which the bodies' own velocities count.
 local function advance(b, work, keep, part, own, dt)
   local slot, most, softSpeed, velocity = work.slot, work.most, b.softSpeed, b.velocity
   local x, y, nowX, nowY = work.at[0], work.at[1], work.now[0], work.now[1]
@@ -255,9 +269,10 @@ local function advance(b, work, keep, part, own, dt)
   end
 end
 
--- Lists those that drift, and wakes them. What its drift nearly stops on an axis is slowed further,
--- in proportion to what is left of its speed: where it comes to stand it does not go to and fro.
--- What stands on something drifts across gravity only: it is not lifted off the ground.
+-- Lists the bodies that drift, and wakes them. A body that its drift nearly stops on an axis is
+-- slowed further, in proportion to the speed that is left: so it does not go to and fro around the
+-- place where it comes to stand. A body that stands on something drifts across gravity only: it is
+-- not lifted off the ground.
 local function listDrifted(b, work)
   local softSpeed, velocity = b.softSpeed, b.velocity
   for n = 1, work.count do
@@ -282,7 +297,7 @@ local function listDrifted(b, work)
   end
 end
 
--- Finds the drift of all in a step of dt s.
+-- Finds the drift of the listed bodies in a step of dt s.
 local function find(b, work, dt)
   local displacement, own = work.fastest * dt, 0.0
   local size, count, each = findNear(b, work, NEAR * displacement)
@@ -296,7 +311,7 @@ local function find(b, work, dt)
   listDrifted(b, work)
 end
 
---- Finds the drift of all that are soft to what they overlap, in a step of dt s.
+--- Finds the drift of all bodies that overlap bodies to which they are soft, in a step of dt s.
 function drift.run(b, dt)
   b.drifts = b.drifts or newWork()
   local work = b.drifts
@@ -329,8 +344,8 @@ function drift.add(b, dt)
   end
 end
 
---- Gives those with a drift the velocity at which they start, drift included, and the acceleration
---- without it.
+--- Gives the bodies that drift the velocity at which they start, drift included, and the
+--- acceleration without it.
 function drift.start(b, dt)
   local work = b.drifts
   for n = 1, b.driftedCount do
@@ -342,8 +357,8 @@ function drift.start(b, dt)
   end
 end
 
---- Takes the drift off the velocities again, after a step. What has changed the speed of a body
---- changes its own velocity by as much, but does not turn it about.
+--- Takes the drift off the velocities again, after a step. A change of speed in the step changes
+--- the body's own velocity by as much, but does not reverse it.
 function drift.takeOff(b)
   local work = b.drifts
   for n = 1, b.driftedCount do

@@ -2,10 +2,10 @@
 --- Move: computes the path of every body in this step from its free flight and its carrier, as if
 -- nothing were in the way.
 --
--- The acceleration of a body is `path.pullOf`: gravity (readFields.pull), what zones do
--- (zones.run), its own `ax, ay`. Air friction, drag and limits are in forces.lua. From here until
--- objects/write.lua all velocities are absolute. The velocity of a carrier is added here and taken
--- off there.
+-- The acceleration of a body is `path.pullOf`: gravity (readFields.pull), the accelerations of
+-- zones (zones.run), its own `ax, ay`. Air friction, drag and limits are in forces.lua. From here
+-- until objects/write.lua all velocities are absolute. The velocity of a carrier is added here and
+-- taken off there.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carriers = require(root .. ".motion.carriers")
@@ -64,8 +64,8 @@ local function holdBack(b, i)
 end
 
 -- Computes where bodies would end, and how fast they would be then: free flight, before any contact
--- acts. (One pass, with both axes written out: without a compiler that is half of the work for what
--- meets nothing.)
+-- acts. (One pass, with both axes written out: without a compiler that is half of the work for a
+-- body that meets nothing.)
 local function findEnds(b, dt)
   local list, kind, from, to, displacement = b.awakeList, b.kind, b.from, b.to, b.displacement
   local speed, carried, accel, start, freeSpeed = b.speed, b.carried, b.accel, b.start, b.freeSpeed

@@ -7,8 +7,8 @@
 -- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
 --
 -- Reads area, position, velocity, pull, airFriction, drag; writes zonePull, zoneAir, zoneDrag and,
--- where a zone has a gravity of its own, down, slowest and fastest. What comes after it reads these
--- columns as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
+-- where a zone has a gravity of its own, down, slowest and fastest. Later stages read these columns
+-- as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
@@ -56,13 +56,13 @@ end
 
 -- Shares ------------------------------------------------------------------------------------------
 
--- Where k is `time` s after the beginning of the step, if nothing acts on it. (A static object that
--- lies alone has no velocity.)
+-- Returns where k is `time` s after the beginning of the step, if nothing acts on it. (A static
+-- object that lies alone has no velocity.)
 local function place(b, k, time)
   return b.from[k] + (k < 2 * b.lastBody + 2 and b.velocity[k] or 0.0) * time
 end
 
--- The share of slot i, 0..1, that is in zone j, if that acts on it at all.
+-- Returns the share of slot i, 0..1, that is in zone j, if zone j acts on it at all.
 local function shareIn(b, i, j, time)
   local size, k, m = b.size, 2 * i, 2 * j
   local x, y, left, top =
@@ -75,7 +75,7 @@ end
 
 -- Forces ------------------------------------------------------------------------------------------
 
--- How an attractor of 1 px/s² at its rim pulls at d radii from its centre.
+-- Returns how an attractor of 1 px/s² at its rim pulls at d radii from its centre.
 local function strength(law, d)
   local far = max(d, CORE)
   local pull = law == "linear" and far
@@ -85,7 +85,7 @@ local function strength(law, d)
   return pull * min(d / CORE, 1.0)
 end
 
--- Zone j attracts slot i.
+-- Adds the attraction of zone j to the accelerations of slot i.
 local function attract(b, i, j, share, time)
   local size, k, m, area = b.size, 2 * i, 2 * j, b.area[j]
   local dx = place(b, m, time) + size[m] * 0.5 - place(b, k, time) - size[k] * 0.5
@@ -95,21 +95,22 @@ local function attract(b, i, j, share, time)
   b.zonePull[k], b.zonePull[k + 1] = b.zonePull[k] + dx * pull, b.zonePull[k + 1] + dy * pull
 end
 
--- The gravity of a zone, g, in place of that of body k, for `share` of it as far as no zone on top
--- has it already.
+-- Replaces the gravity of body k by that of a zone, g, for `share` of the body, as far as no zone
+-- on top acts on it already.
 local function replace(b, k, g, share)
   local taken = min(share, b.zoneLeft[k])
   b.zonePull[k], b.zoneLeft[k] = b.zonePull[k] + (g - b.pull[k]) * taken, b.zoneLeft[k] - taken
 end
 
--- The gravity of zone j in place of that of slot i.
+-- Replaces the gravity of slot i by that of zone j.
 local function turn(b, i, j, share)
   local area, k = b.area[j], 2 * i
   replace(b, k, area.gravityX or b.pull[k], area.gravityX and share or 0.0)
   replace(b, k + 1, area.gravity or b.pull[k + 1], area.gravity and share or 0.0)
 end
 
--- What zone j does to slot i beyond gravity: its `ax, ay` (wind), airFriction, drag and attraction.
+-- Adds the effects of zone j on slot i beyond gravity: `ax, ay` (wind), airFriction, drag and
+-- attraction.
 local function push(b, i, j, share, time)
   local pull, air, drag, k, area = b.zonePull, b.zoneAir, b.zoneDrag, 2 * i, b.area[j]
   pull[k] = pull[k] + (area.ax or 0) * share
@@ -121,8 +122,8 @@ local function push(b, i, j, share, time)
   end
 end
 
--- Lets zone j act (`turn` or `push`) on those of list[1..count] that are in it. (What acts on
--- kinematic ones is not read.)
+-- Applies `turn` or `push` of zone j to the bodies of list[1..count] that are in it.
+-- (Kinematic bodies do not read the result.)
 local function act(b, list, count, j, time, what)
   for n = 1, b.active[j] and count or 0 do
     local i = list[n]
@@ -133,7 +134,8 @@ local function act(b, list, count, j, time, what)
   end
 end
 
--- Lets what acts on those in list[1..count] be what their own fields say.
+-- Resets the gravity, air friction and drag of the bodies in list[1..count] to those of their own
+-- fields.
 local function reset(b, list, count)
   local pull, air, drag = b.pull, b.airFriction, b.drag
   local zonePull, zoneAir, zoneDrag, left = b.zonePull, b.zoneAir, b.zoneDrag, b.zoneLeft
@@ -145,7 +147,7 @@ local function reset(b, list, count)
   end
 end
 
--- Finds the gravity of those in list[1..count], `time` s after the beginning of the step; the
+-- Finds the gravity of the bodies in list[1..count], `time` s after the beginning of the step; the
 -- last zone is on top.
 local function turnAll(b, list, count, time)
   local slots = b.zoneList
@@ -162,7 +164,7 @@ local function turnAll(b, list, count, time)
   end
 end
 
---- Finds what acts on the awake dynamic objects in a step of dt s.
+--- Finds the forces of zones on the awake dynamic objects in a step of dt s.
 function zones.run(b, dt)
   local slots, time = b.zoneList, dt * 0.5
   turnAll(b, b.awakeList, b.awakeCount, time)
@@ -171,7 +173,8 @@ function zones.run(b, dt)
   end
 end
 
---- Finds the zones, and where "down" is of those in list[1..count], at the beginning of a step.
+--- Finds the zones, and where "down" is for the bodies in list[1..count], at the beginning of a
+--- step.
 function zones.begin(b, list, count)
   arrange(b)
   turnAll(b, list, count, 0)

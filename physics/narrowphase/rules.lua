@@ -1,6 +1,6 @@
 ---@diagnostic disable
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
--- one-way objects, `dropThrough`, and what the game says (`canCollide`).
+-- one-way objects, `dropThrough`, and the answer of the game (`canCollide`).
 --
 -- The side in the field `oneWay` is solid, the others are open.
 
@@ -24,7 +24,8 @@ local function isOpen(b, i, side)
 end
 
 -- Returns whether slot i falls through a one-way object with the side `solid`.
--- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
+-- Until it is clear of that object, no other one-way object holds it, as the next plank of a bridge
+-- would.
 local function isFalling(b, i, solid)
   for _, j, p in neighbours(b, i) do
     if b.dropping[p] and b.oneWay[j] == solid then
@@ -34,14 +35,14 @@ local function isFalling(b, i, solid)
   return false
 end
 
--- Returns whether one of i and j falls through the other because of that.
+-- Returns whether slot i falls through the one-way slot j, or slot j through slot i.
 local function isDropping(b, i, j)
   local ownSide, otherSide = b.oneWay[i], b.oneWay[j]
   return otherSide and isFalling(b, i, otherSide) or ownSide and isFalling(b, j, ownSide)
 end
 
 --- Returns whether i and j, which meet on `side` of i, pass through each other because one is a
---- one-way object. What overlaps a one-way object already (`isDeep`) always passes.
+--- one-way object. A body that overlaps a one-way object already (`isDeep`) always passes.
 function rules.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
@@ -122,8 +123,8 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   return true
 end
 
--- Lets slot i, which falls through slope j, begin as fast as the edge sinks under it. Else it would
--- be left above the edge where it runs down.
+-- Gives slot i, which falls through slope j, the speed at which the edge sinks under it. Else it
+-- would be left above the edge where it runs down.
 local function keepUp(b, i, j)
   local axis, object = path.axisOf(b, i), b.object[i]
   local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
@@ -133,8 +134,8 @@ local function keepUp(b, i, j)
   end
 end
 
---- Lets slot i fall through the one-way objects that it stands on. Returns whether there were any.
---- An object that is not dynamic stands on nothing, nor does one without gravity.
+--- Makes slot i fall through the one-way objects that it stands on. Returns whether there were any.
+--- An object that is not dynamic stands on nothing, nor does an object without gravity.
 function rules.drop(b, i)
   if b.kind[i] ~= DYNAMIC or (b.down[2 * i] == 0 and b.down[2 * i + 1] == 0) then
     return false

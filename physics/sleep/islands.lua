@@ -1,18 +1,26 @@
 ---@diagnostic disable
 --- Islands: computes from the last step which bodies may sleep. A sleeping body is not computed.
 --
--- Objects with fat boxes that meet, directly or through others, form an island. If the last step
--- changed no bit in an island and nothing in it has any speed, the next step would be the same. So
--- its movers fall asleep together, and are obstacles that do not move. Whatever could make a
--- difference wakes the whole island before it could have an effect:
+-- Objects with fat boxes that meet, directly or through others, form an island:
+--
+--      [a][b]   [c]            {a, b} and {c} are islands. They have a static ground in common, but
+--      ////////////            an island does not go on through it: it passes nothing on.
+--
+-- A step computes the new state of an island from its old state and from its surroundings, and from
+-- nothing else. So if the last step changed no bit of an island, nothing in it has any speed, and
+-- its surroundings stay as they are, the next step would change no bit either, nor would any step
+-- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
+-- that do not move. Each body says of itself whether the step has changed it (`quiet`); `gather`
+-- asks all. Everything that could end the fixed point wakes the whole island before it has an
+-- effect:
 --
 -- - a field that the game wrote;
 -- - a new or lost neighbour;
 -- - a moving kinematic object;
--- - a path that comes near.
+-- - a path that comes near. (In the middle of a step: the step begins anew, see solver.)
 --
--- So sleeping changes no result. A kinematic object sleeps alone: as long as it stands, it is only
--- a wall.
+-- So sleeping changes no result, bit for bit. A kinematic object is an island of its own: as long
+-- as it stands, it is only a wall. One search visits each body and each pair of an island once.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local boxes = require(root .. ".space.boxes")
@@ -23,9 +31,9 @@ local islands = {}
 
 local STATIC, DYNAMIC, neighbours = constants.STATIC, constants.DYNAMIC, links.neighbours
 
---- The shortest step in which bodies fall asleep, s: what happens in a shorter one may be too
---- little to show. In a shorter step no sleeping body is skipped either: what a long step takes
---- back may be too little in a short one.
+--- The shortest step in which bodies fall asleep, s: in a shorter step a change may be too small to
+--- alter any bit. In a shorter step no sleeping body is skipped either: the change that a long step
+--- takes back may be too small in a short one.
 islands.SHORTEST = 1 / 2000
 
 local function rouse(b, i)
@@ -79,9 +87,8 @@ function islands.drop(b, i)
   end
 end
 
--- Lists the island of an awake object in `b.island`. Returns its size, and whether none of it would
--- do anything in the next step. A kinematic one, which is an island by itself, belongs to those of
--- its neighbours, too.
+-- Lists the island of an awake object in `b.island`. Returns its size, and whether all of its
+-- bodies are quiet. A kinematic neighbour, which is an island of its own, must be quiet, too.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, mark = b.island, b.kind, b.awake, b.quiet, b.mark
   local count, n, isQuiet = 1, 1, true

@@ -1,17 +1,18 @@
 ---@diagnostic disable
---- Clip: computes where a box ends in a room that slopes narrow. What stands still crushes nothing.
+--- Clip: computes where a box ends in a room that slopes narrow. A room that stands still crushes
+-- nothing.
 --
 -- Settling looks at one axis at a time, and for it a slope is only another distance. In a wedge
--- that is not enough: along y the box does not fit, although it has only to stop along x.
+-- that is not enough: along y the box does not fit, although it only has to stop along x.
 --
 --          ______________ ceiling     Each face in the way is a half-plane, in which the box must
 --      [ box ]-> .-'                  stay. It ends at the point of all of them that is nearest to
 --             .-'                     where it was going: there, on one of the faces, or in the
 --          .-' slope                  corner of two.
 --
--- Where the box began the step it was in the half-planes of all that stands still. So there always
--- is such a point: nothing that stands still crushes it, and it ends in none of that. If two faces
--- close on each other, it is left to `settle.squeeze`: machines do crush.
+-- Where the box began the step, it was in the half-planes of all objects that stand still. So there
+-- always is such a point: objects that stand still do not crush the box, and it ends in none of
+-- them. If two faces close on each other, the box is left to `settle.squeeze`: machines do crush.
 --
 -- The point is found by space/planes.lua.
 
@@ -37,9 +38,9 @@ local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local neighbours = links.neighbours
 local isBox, isRound, BOX = shapes.isBox, shapes.isRound, shapes.BOX
 local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
--- How often all are clipped in a step: what was stopped is in the way of others.
+-- How often all boxes are clipped in a step: a box that was stopped is in the way of others.
 local PASSES = 4
--- Walls that are in the way of one box, beside what it touches.
+-- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
 local nx, ny, least, wall, side = planes.nx, planes.ny, planes.least, planes.wall, planes.side
 -- px by which a box may be in a wall where the step begins.
@@ -56,15 +57,15 @@ local function speedAlong(b, n, m)
   return nx[m] * b.speed[k] + ny[m] * b.speed[k + 1]
 end
 
--- Whether each of two half-planes moves along the normal of the other one. (A train under a ceiling
--- goes along its own face: it closes on nothing.)
+-- Returns whether half-plane n moves along the normal of half-plane m, and m along that of n. (A
+-- train under a ceiling goes along its own face: it closes on nothing.)
 local function areClosing(b, n, m)
   local one = speedAlong(b, n, n) - speedAlong(b, m, n)
   local other = speedAlong(b, n, m) - speedAlong(b, m, m)
   return max(one, -one) > STILL and max(other, -other) > STILL
 end
 
--- What is in the way ------------------------------------------------------------------------------
+-- Walls in the way --------------------------------------------------------------------------------
 
 -- Goes on with `room` and `wall` along the contacts of an axis, from low bodies to high ones
 -- (`sign` 1) or back (-1).
@@ -82,8 +83,8 @@ local function spread(b, list, room, walls, sign)
   end
 end
 
--- Notes how far everything can go along an axis towards what cannot move, directly or through
--- others, and what that is. (Where things are squeezed now, they are in each other.)
+-- Notes how far each body can go along an axis until it meets a wall, directly or through other
+-- bodies, and which wall that is. (Bodies that are squeezed are in each other.)
 local function findRoom(b, axis)
   local list, give, to = b.contacts[axis], b.give, b.to
   for c = 1, list.count do
@@ -97,7 +98,7 @@ local function findRoom(b, axis)
   spread(b, list, b.roomHigh, b.wallHigh, -1)
 end
 
--- Adds the half-planes of what box i touches, but for edges of slopes.
+-- Adds the half-planes of the objects that box i touches, but for edges of slopes.
 local function addRoom(b, i)
   for _, j, p in neighbours(b, i) do
     local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and limit == DYNAMIC
@@ -141,7 +142,7 @@ local function wallAt(b, i, x, y, t)
   return first
 end
 
--- Returns the wall that box i would end in at (x, y), and looks up what is near that place.
+-- Returns the wall that box i would end in at (x, y), and looks up the neighbours of that place.
 local function lookUp(b, i, x, y)
   path.lead(b, i, x, y)
   b.stack[1] = i
@@ -279,8 +280,8 @@ local function clipAll(b)
   return hasClipped
 end
 
---- Clips the ways of all boxes that end in a slope, or that one squeezes, and settles what leans on
---- them.
+--- Clips the ways of all boxes that end in a slope, or that a slope squeezes, and settles the
+--- bodies that lean on them.
 function clip.run(b, dt)
   for _ = 1, PASSES do
     if not clipAll(b) then

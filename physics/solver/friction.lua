@@ -2,17 +2,35 @@
 --- Coulomb friction: computes from the loads of the contacts of one axis how they brake their
 -- bodies along the other axis.
 --
--- The load of a contact is the impulse that settling took off the body that leans, plus that of
--- what leans on it. All of it goes to the support with the widest common edge. There are two
--- cases:
+-- Coulomb's law: friction brakes the slip of two bodies with an impulse of at most mu times the
+-- load, the impulse with which they press each other. The axis of the load is settled before, so
+-- the loads are known, and friction does not change them in this step.
+--
+--            [  a  ]              load of a on b: the impulse that settling took off a,
+--         [     b     ]             m (free speed - speed)
+--      ///////////////////        load of b on the ground: that of a, and the impulse taken off b
+--
+-- The load of a body is summed up from the top of a stack down, and goes to one support: the one
+-- with the widest common edge (`findSupports`). A load has two parts:
+--
+-- - Weight, the part that the body's own acceleration causes. It acts through the whole step, as a
+--   constant grip of mu weight / dt.
+-- - An impact, the rest. It rubs at once: it changes the velocity with which the step begins
+--   (`onset`) by at most mu (load - weight) / m.
+--
+-- Then the contacts rub, from the supports up, because the speed of a support must be known
+-- before a body rubs on it. There are two cases:
 --
 -- - Ground is a support that cannot be moved along the surface (`addGround`). The body slides,
 --   stops, turns or sticks on it exactly (see flow.lua).
 -- - A support that can be moved has a bond with the body (`bonds.add`).
 --
--- The coefficient of a pair is `friction.coefficient`. It is multiplied into the limit of friction
--- in four places: these two, and `bear` and `rubBoth` in impact.lua, for two that meet inside the
--- step. The limit of a contact is one number for the whole step.
+-- One pass would be enough if all supports were ground. Bonds may break or form when the other axis
+-- is settled, so that is repeated up to ATTEMPTS times (see bonds.lua).
+--
+-- The coefficient mu of a pair is `friction.coefficient`. It is multiplied into the limit of
+-- friction in four places: these two, and `bear` and `rubBoth` in impact.lua, for two bodies that
+-- meet inside the step. The limit of a contact is one number for the whole step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
@@ -28,11 +46,11 @@ local EPSILON = constants.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of attempts in which bonds may break, and of all attempts (see bonds.lua).
 local TEARS, ATTEMPTS = 2, 4
--- px by which what is squeezed may overlap what bears it, and still rub on it.
+-- px by which a squeezed body may overlap the body that bears it, and still rub on it.
 local SQUEEZED = 0.01
 
---- Returns the coefficient of friction of a pair: the geometric mean of both. If one body has none
---- of its own (an immovable one), it is that of the other.
+--- Returns the coefficient of friction of a pair: the geometric mean of both. If a body has no
+--- coefficient of its own (an immovable body may have none), the other body's counts.
 function friction.coefficient(b, i, j)
   local one, other = b.friction[i], b.friction[j]
   if other < 0 or one == other then
@@ -59,9 +77,9 @@ local function chooseSupport(b, list, k, c, other)
   end
 end
 
--- Whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1), with what
--- it has lost of its speed: something immovable holds m (`held`), or gravity presses k onto m,
--- which gives way.
+-- Returns whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1): it
+-- has lost speed to m, and either something immovable holds m (`held`), or gravity presses k onto
+-- m, which gives way.
 local function leans(b, k, m, sign, held)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
   if b.give[k] == 0 or lost < 0 then
@@ -72,7 +90,7 @@ local function leans(b, k, m, sign, held)
   return lost > 0 and b.down[k] == sign and (b.speed[m] - b.freeSpeed[m]) * sign >= 0
 end
 
--- Finds which contacts bear a load, and which one bears the load of each body.
+-- Finds the contacts that bear a load, and for each body the contact that bears its load.
 local function findSupports(b, list, axis)
   local awake, bearer, load, weight = b.awakeList, b.bearer, b.load, b.weight
   for n = 1, b.awakeCount do
@@ -100,8 +118,9 @@ local function findSupports(b, list, axis)
   end
 end
 
--- Adds the load of contact c: the impulse that was taken off `up` in this step, plus the load that
--- stands on it. At most what its own acceleration made counts as weight; the rest is an impact.
+-- Adds the load of contact c: the impulse that was taken off body `up` in this step, plus the load
+-- of the bodies on it. The part that its own acceleration has caused counts as weight; the rest is
+-- an impact.
 local function addLoad(b, list, c, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
@@ -115,8 +134,8 @@ local function addLoad(b, list, c, up, low, sign, dt)
   b.load[low], b.weight[low] = b.load[low] + load, b.weight[low] + weight
 end
 
--- Lets body k rub on ground that moves at `base`. The part of the load that is an impact rubs at
--- once.
+-- Notes that body k rubs on ground that moves at `base`. The part of the load that is an impact
+-- rubs at once.
 local function addGround(b, k, base, mu, load, weight, dt)
   load, weight = mu * load, mu * weight
   local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
@@ -128,8 +147,8 @@ local function addGround(b, k, base, mu, load, weight, dt)
   flow.notePulled(b, k)
 end
 
--- Lets body ku, which leans on ks in contact c, rub along the other axis: on ground, or through a
--- bond.
+-- Notes that body ku, which leans on body ks in contact c, rubs along the other axis: on ground, or
+-- through a bond.
 local function addContact(b, list, held, c, ku, ks, dt)
   local axis, i, j = list.axis, floor(ku * 0.5), floor(ks * 0.5)
   local mu = friction.coefficient(b, i, j)
@@ -144,8 +163,8 @@ local function addContact(b, list, held, c, ku, ks, dt)
   end
 end
 
--- Sums up the loads from the uppermost bodies down to the supports, or lets all contacts rub, from
--- the supports up (`rubs`).
+-- Sums up the loads from the uppermost bodies down to the supports; or, with `rubs`, makes all
+-- contacts rub, from the supports up.
 local function walk(b, list, held, dt, rubs)
   for sign = 1, -1, -2 do
     local isForward = (sign > 0) ~= rubs
@@ -165,8 +184,8 @@ local function walk(b, list, held, dt, rubs)
   end
 end
 
---- Lets the contacts of an axis, which is settled, rub along the other one, and settles that axis.
---- Returns false, and does nothing, if no contact rubs.
+--- Applies the friction of the contacts of an axis, which is settled, along the other axis, and
+--- settles that axis. Returns false, and does nothing, if no contact rubs.
 function friction.run(b, axis, dt)
   b.bonds = b.bonds or { [0] = bonds.new(), bonds.new() }
   local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]

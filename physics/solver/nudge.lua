@@ -2,8 +2,17 @@
 --- Corner correction: computes from a hit that overlaps a corner by a few pixels the way around
 -- that corner.
 --
--- A body with the field `nudge` is moved sideways by at most that many px, if the place there is
--- free. A hit on the side towards gravity is not corrected.
+--      ########                   ########                 the body would hit the ceiling with
+--             [   ]    ->                 [   ]            1 px of its width; with nudge >= 1 it
+--               ^                           ^              goes 1 px to the right, and on
+--
+-- A body has two ways past an obstacle: to the place beside its low side, and beside its high side.
+-- `detour` is the shorter one. It is taken if it is no longer than the field `nudge`, if the body
+-- does not move the other way by itself, and if the place is free (`mayGo`, `try`). A hit on the
+-- side towards gravity is not corrected, or bodies would slip off the edges on which they stand.
+--
+-- Another body may push it back, so that it hits the same corner again: a pair is corrected at most
+-- MOST times in a step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")
@@ -14,7 +23,7 @@ local nudge = {}
 
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local floor, max = math.floor, math.max
--- px by which the tested place is further on, towards what the body hits.
+-- px by which the tested place is further on, towards the body that is hit.
 local AHEAD = 1e-3
 --- Maximum number of corrections of one pair in a step.
 nudge.MOST = 4
@@ -29,7 +38,7 @@ local function detour(b, i, j, axis, t)
 end
 
 -- Returns whether slot i may go `distance` px along k, around a corner: no further than its
--- `nudge`, not back against its own motion, and not towards what holds it in this step.
+-- `nudge`, not back against its own motion, and not towards a body that holds it in this step.
 local function mayGo(b, i, k, distance)
   local motion = b.to[k] - b.from[k] - b.carried[k] * (1 - b.time[i]) * b.dt
   local isBack = (motion > EPSILON and distance < 0) or (motion < -EPSILON and distance > 0)
@@ -38,8 +47,8 @@ local function mayGo(b, i, k, distance)
 end
 
 -- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t, if the
--- place beside is free. It is never moved on the side that gravity presses. Returns whether it was
--- moved.
+-- place beside j is free. A hit on the side to which gravity presses i is left alone. Returns
+-- whether slot i was moved.
 local function try(b, p, i, j, axis, iIsLow, t)
   local k = 2 * i + 1 - axis
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
@@ -49,16 +58,17 @@ local function try(b, p, i, j, axis, iIsLow, t)
   if b.down[2 * i + axis] == (iIsLow and 1 or -1) or not mayGo(b, i, k, distance) then
     return false
   end
-  -- A body that is flush with what it hits overlaps nothing else that is flush there. So the place
-  -- a little further on is tested.
+  -- A body that is flush with slot j overlaps no other body that is flush there. So the place a
+  -- little further on is tested.
   local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = path.at(b, 2 * i, b.time[i], t), path.at(b, 2 * i + 1, b.time[i], t)
-  -- The others stand there where the step began: stairs that sink under it, a little higher.
+  -- The test sees all other bodies where the step began: stairs that sink under it, a little
+  -- higher.
   local sunk = b.carried[k] * distance < 0 and b.carried[k] * t * b.dt or 0
   x = x + (axis == 1 and distance - sunk or ahead)
   y = y + (axis == 0 and distance - sunk or ahead)
-  -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
-  -- is in the way beside it may leave without being a neighbour.
+  -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And a
+  -- body that is in the way beside it may leave without being a neighbour.
   b.mustStayAwake[i] = true
   if overlap.isInside(b, i, x, y, true) then
     return false
@@ -69,8 +79,8 @@ local function try(b, p, i, j, axis, iIsLow, t)
   return true
 end
 
---- Moves one of the bodies of pair p, which meet on `axis` at moment t, past the corner of the
---- other one. Returns whether it was moved.
+--- Moves slot `low` past a corner of slot `high`, or slot `high` past a corner of slot `low`. They
+--- are pair p, and meet on `axis` at moment t. Returns whether a body was moved.
 function nudge.correct(b, p, low, high, axis, t)
   return b.nudged[p] < nudge.MOST
     and (try(b, p, low, high, axis, true, t) or try(b, p, high, low, axis, false, t))

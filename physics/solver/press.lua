@@ -17,8 +17,9 @@
 --                    4. Under gravity SHOCKS more, in which the lower one of two does not give way,
 --                       so that a heap does not sink.
 --
--- Only bodies that are connected with something new or violated are solved again. Contacts along an
--- axis are settled before and after.
+-- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
+-- PASSES; a rest that is left is pushed away in later steps. Only bodies that are connected with a
+-- new or violated plane are solved again. Contacts along an axis are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999; E. Catto, Iterative Dynamics with Temporal
 -- Coherence, 2005), on places and then on speeds.
@@ -50,7 +51,7 @@ local FURTHEST = 0.35
 -- Share of the smaller size that two are in each other after all passes, or would be in the next
 -- step, if there is no room.
 local JAMMED = 0.05
--- Share of a normal along gravity from which on one of two is above the other.
+-- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins.
 local ROOM = 0.1
@@ -97,8 +98,8 @@ local function reach(b, i, j)
   end
 end
 
--- Marks the dynamic bodies of planes that are new or violated, and what touches these, directly or
--- through others. All else is solved already, and does not depend on what happens here.
+-- Marks the dynamic bodies of planes that are new or violated, and the bodies that touch these,
+-- directly or through others. All others are solved already, and do not depend on these.
 local function spread(b)
   local s, kind, base = b.slants, b.kind, b.slants.base
   for c = 1, s.count do
@@ -181,7 +182,7 @@ local function motionOf(b, i, nx, ny, ix, iy)
   return share * x * ix, share * y * iy
 end
 
--- Computes how the two of each row give way. `isShock`: the lower one of two does not.
+-- Computes how the two bodies of each row give way. `isShock`: the lower body does not.
 local function weigh(b, isShock)
   local s, down, give = b.slants, b.down, b.give
   for n = 1, s.rows do
@@ -203,9 +204,8 @@ local function weigh(b, isShock)
   end
 end
 
--- Makes passes over a column: the places or the speeds at the end of the step. `sum` is what each
--- row has been pushed by so far. A row of which the two have left each other again takes its push
--- back.
+-- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
+-- of each row so far. A row whose bodies have left each other again takes its push back.
 local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
   local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
@@ -234,8 +234,8 @@ end
 
 -- Walls -------------------------------------------------------------------------------------------
 
--- Returns which of the two of row c is stopped by the other one, which cannot be moved along their
--- normal: it is immovable, or held; nil: neither.
+-- Returns the body of row c that a wall stops: the other body of the row cannot be moved along
+-- their normal, since it is immovable, or held. Nil: neither body is stopped.
 local function moverOf(b, c)
   local s = b.slants
   local i, j = s.one[c], s.other[c]
@@ -298,11 +298,10 @@ local function leaveWalls(b, column, isOfSpeeds)
   end
 end
 
--- What has come of it
--- ------------------------------------------------------------------------------
+-- The end of the step -----------------------------------------------------------------------------
 
--- Limits how far dynamic slot i is pushed: a share of its size, and what its own motion is. (A body
--- between two that cannot move would be pushed to and fro.)
+-- Limits how far dynamic slot i is pushed: a share of its size, and as far as it moves by itself.
+-- (A body between two that cannot move would be pushed to and fro.)
 local function limit(b, i)
   local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
   local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
@@ -328,8 +327,8 @@ local function findFlush(b)
   end
 end
 
--- Lets the rows of bodies without room forget their pushes: between two that cannot move, each pass
--- has pushed these bodies to and fro.
+-- Clears the pushes of the rows of bodies without room: between two that cannot move, each pass has
+-- pushed such a body to and fro.
 local function forgetJams(b)
   local s = b.slants
   for n = 1, s.rows do
@@ -420,8 +419,8 @@ local function rest(b, i)
   end
 end
 
---- Presses what the rounds have left in each other, and finds the heaps. Returns whether there are
---- planes.
+--- Presses the bodies apart that the rounds have left in each other, and finds the heaps. Returns
+--- whether there are planes.
 function press.finish(b)
   local s = b.slants
   slant.findLate(b)

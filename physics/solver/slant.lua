@@ -1,6 +1,6 @@
 ---@diagnostic disable
---- Slants: lists the pairs of a step that touch slanted, of which one is round: two circles, a
--- circle and a corner or a slope. `press` solves them.
+--- Slants: lists the pairs of a step with a circle that touch slanted: two circles, a circle and a
+-- corner, a circle and a slope. `press` solves them.
 --
 -- Each of these pairs gets a *plane*: the tangent where the two touch, or will meet.
 --
@@ -80,7 +80,8 @@ local function slotsOf(b, p)
   return i, j
 end
 
---- Returns how high two are against the gravity of the world; with an immovable one, above all.
+--- Returns how high slots i and j are against the gravity of the world; if one of them is
+--- immovable, higher than all pairs that can move.
 function slant.heightOf(b, i, j)
   local axis = b.downAxis
   local one, other = b.from[2 * i + axis], b.from[2 * j + axis]
@@ -89,7 +90,7 @@ function slant.heightOf(b, i, j)
   return areDynamic and (path.isPulled(b, i) or path.isPulled(b, j)) and height or huge
 end
 
---- Returns the difference of the places (or velocities) of two along a normal.
+--- Returns the difference of the places (or velocities) of two bodies along a normal.
 function slant.along(column, i, j, nx, ny)
   local k, m = 2 * i, 2 * j
   return (column[k] - column[m]) * nx + (column[k + 1] - column[m + 1]) * ny
@@ -108,21 +109,21 @@ local function passes(b, p, i, j, nx, ny, isDeep)
   return rules.passes(b, p, 2 * low + axis, 2 * (i + j - low) + axis, axis, isDeep)
 end
 
--- Returns whether two that close at u px/s are left to an impact.
+-- Returns whether two bodies that close at u px/s are left to an impact.
 local function isElastic(b, i, j, u)
   local pull = max(path.largest(b.pull, 2 * i), path.largest(b.pull, 2 * j))
   return yielding.elasticity(b, i, j) > 0 and (pull == 0 or u > 2 * b.dt * pull)
 end
 
--- Returns whether one of two is round, and they can press each other.
+-- Returns whether slot i or slot j is round, and they can press each other.
 local function mayPress(b, i, j)
   return ball.isRound(b, i, j)
     and b.give[2 * i] + b.give[2 * j] > 0
     and min(b.power[i], b.power[j]) < huge
 end
 
--- Returns by how many px two may be in each other: nothing visible, and nothing in what is
--- immovable or stronger.
+-- Returns by how many px two bodies may be in each other: by nothing that shows, and not at all if
+-- one of them is immovable or stronger.
 local function slopOf(b, i, j)
   local areEqual = b.give[2 * i] > 0 and b.give[2 * j] > 0 and b.power[i] == b.power[j]
   return areEqual and SLOP * ball.smallest(b, i, j) or EPSILON / 2

@@ -1,11 +1,22 @@
 ---@diagnostic disable
 --- Snap: an object that stood on something stays on the ground when that drops by a little.
 --
--- It is the other half of nudge: that goes up stairs, this goes down. When all paths of the step
--- are known, an object with `snap` that has run off what it stood on is lowered onto the ground
--- below, and what stands on it, too. It is lowered straight down, where it ends, onto the first
--- thing there is; so it passes through nothing. If it has run over several edges in the step, each
--- of them may be as high as `snap`. Heights are those of ground.
+-- It is the other half of nudge: nudge goes up stairs, snap goes down.
+--
+--      [ ]- - ->[ ]           without snap: it flies off the edge
+--      #######   |
+--      #######   v lowered by at most `snap` px
+--      #######  [ ]
+--      ###############
+--
+-- When all paths of the step are known, an object with `snap` that has run off its support is
+-- lowered onto the ground below, together with the objects that stand on it. It is lowered straight
+-- down, from the place where it ends, onto the first ground there is; so it passes through nothing.
+-- If it has run over several edges in the step, each edge may be as high as `snap`: the walk along
+-- the ground is made again, with leave to drop that far at each edge (`reach`).
+--
+-- One pass is enough, because the lowest bodies come first: when a rider's turn comes, its support
+-- is in place. Heights are those of ground.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
@@ -26,8 +37,8 @@ local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local axisOf = path.axisOf
 local max, min = math.max, math.min
 
--- Whether slot i may be lowered, or what it stands on: it has begun the step standing, and does
--- not go up from there. (What is round rolls over edges.)
+-- Returns whether slot i may be lowered, by its own `snap` or with its support: it has begun the
+-- step standing, and does not go up from there. (Circles roll over edges.)
 local function stands(b, i)
   local k = 2 * i + axisOf(b, i)
   return b.support[i] ~= 0
@@ -38,7 +49,7 @@ local function stands(b, i)
     and b.displacement[k] * b.down[k] >= 0
 end
 
--- Whether slot i still stands on what it stood on.
+-- Returns whether slot i still stands on its support.
 local function isOnSupport(b, i, axis, turn)
   local j, x = b.support[i], b.to[2 * i + 1 - axis]
   local gap = ground.heightOn(b, i, j, axis, turn, x) - turn * b.to[2 * i + axis]
@@ -46,8 +57,8 @@ local function isOnSupport(b, i, axis, turn)
   return gap <= EPSILON and gap >= -EPSILON and isOver
 end
 
--- How low the ground may be for slot i at x1, if it has come along the ground from (x, height):
--- from edge to edge it drops by at most `most` px.
+-- Returns how low the ground may be for slot i at x1, if slot i has come along the ground from (x,
+-- height) and has dropped by at most `most` px at each edge.
 local function reach(b, i, axis, turn, x, x1, height, most)
   local pieces = b.pieceCount
   local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, most)
@@ -55,7 +66,7 @@ local function reach(b, i, axis, turn, x, x1, height, most)
   return last + most
 end
 
--- Puts slot i onto slot j, at a height, unless the game lets it pass.
+-- Puts slot i onto slot j, at a height, unless a rule or the game says that the two pass.
 local function put(b, i, j, k, turn, height)
   local m, place, v, a = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k]
   path.finish(b, k, turn * height, b.speed[m], b.accel[m])
@@ -95,7 +106,8 @@ local function lower(b, i, most)
   end
 end
 
---- Lowers what has run off the ground that it stood on, and what stands on that, the lowest first.
+--- Lowers the objects that have run off their supports, and the objects that stand on them, the
+--- lowest first.
 function snap.run(b)
   b.snaps = b.snaps or { list = {}, height = {}, lowered = {} } -- px in this step
   local lowered, list, height, count = b.snaps.lowered, b.snaps.list, b.snaps.height, 0

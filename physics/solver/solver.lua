@@ -1,19 +1,24 @@
 ---@diagnostic disable
 --- The solver: computes where each body ends a step, and how fast, from its path of free flight and
--- from what it touches or meets.
+-- from the bodies that it touches or meets.
 --
 -- The stages are in `solve`:
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
--- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
--- 4. Limit the motion of overlapping bodies (`bounds`), let bodies go down with the ground
---    (`snap`), note what is pressed and what is crushed (`notePressed`).
+-- 3. Rounds: sweep, resolve the first impacts (`rounds`), settle again (`settleLate`).
+-- 4. Limit the motion of overlapping bodies (`bounds`), lower bodies with the ground (`snap`), note
+--    which bodies are pressed and which are crushed (`notePressed`).
 --
--- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
+-- Where there are slopes, boxes follow the ground (`walk`) after 2. and after each round. Where
+-- there are circles, their slanted contacts are solved (`press`) at the same places.
+--
+-- A stage only changes where paths end and how fast (`to`, `speed`, `accel`); impacts and nudges
+-- also change where and when they begin (`from`, `time`). Every later stage starts from that state,
+-- so the last word is with the last stage: with walls in `bounds`.
 --
 -- A step is bounded. It has at most ROUNDS rounds, in each of which a body takes part in one
--- impact. Each round makes a fixed number of passes over the contacts. What cannot be finished
--- goes on in the next step.
+-- impact. Each round makes a fixed number of passes over the contacts. Work that cannot be finished
+-- is left to the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bounds = require(root .. ".memory.lazy")(root .. ".solver.bounds")
@@ -41,8 +46,8 @@ local floor, max = math.floor, math.max
 
 -- Maximum number of rounds (sweep, impacts, settle) in a step.
 local ROUNDS = 36
--- Number of last rounds in which nothing bounces, so that the remaining contacts settle. (With 5 a
--- column of 12 boxes that bounce ends in itself.)
+-- Number of last rounds in which nothing bounces, so that the remaining contacts settle. (With 5,
+-- the boxes of a column of 12 that bounce end in each other.)
 local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
@@ -57,7 +62,7 @@ function solver.adopt(b)
   b.slants = { count = 0 }
 end
 
--- Lists all awake bodies: their paths are new.
+-- Lists all awake bodies as changed: their paths are new.
 local function begin(b)
   local list, changed, dirty, impactsOf = b.awakeList, b.changed, b.dirty, b.impactsOf
   b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
@@ -67,8 +72,8 @@ local function begin(b)
   end
 end
 
--- Settles what touches at the start of the step: first along gravity, then across it, each followed
--- by its friction. (`friction.run` settles the axis that it rubs along.)
+-- Settles the bodies that touch at the start of the step: first along gravity, then across it, each
+-- followed by its friction. (`friction.run` settles the axis that it rubs along.)
 local function settleTouching(b, dt)
   contacts.find(b)
   local down, across = b.downAxis, 1 - b.downAxis
@@ -112,8 +117,8 @@ local function settleLate(b, dt, isFirst)
   end
 end
 
--- Solves the slanted contacts of round bodies, and settles again what that has pushed. `isFirst`:
--- nothing was swept yet, so that pairs may be added.
+-- Solves the slanted contacts of round bodies, and settles the bodies again that were pushed there.
+-- `isFirst`: nothing was swept yet, so that pairs may be added.
 local function pressRound(b, dt, isFirst)
   for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
     local hasNew = isFirst and slant.find(b, n == 1)
@@ -126,7 +131,8 @@ local function pressRound(b, dt, isFirst)
   end
 end
 
--- Settles what touches when the step begins, and follows the ground.
+-- Makes the stages before the first round: settles the bodies that touch when the step begins,
+-- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
   b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
   b.blockedCount = 0
@@ -144,8 +150,8 @@ local function prepare(b, dt)
   pressRound(b, dt, true)
 end
 
--- Makes the rounds, until bodies are woken. Returns whether bodies may have left the ground since
--- it was followed, or may end in each other.
+-- Makes the rounds, until nothing meets or bodies are woken. Returns whether bodies may have left
+-- the ground since it was followed, or may end in each other.
 local function runRounds(b, dt, awakenings)
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings or not rounds.run(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
@@ -162,7 +168,8 @@ local function runRounds(b, dt, awakenings)
   return b.overlapCount > 0 or b.isTight
 end
 
--- Notes that body k is crushed: between those that hold it, unless its neighbours press it.
+-- Notes that body k is crushed. The two bodies that crush it are those that hold it; `notePressed`
+-- replaces them by the neighbours that press it.
 local function noteCrush(b, k)
   if not b.crushed[k] then
     b.crushed[k], b.hasCrushed = true, true
@@ -200,7 +207,7 @@ local function notePressed(b, axis)
   end
 end
 
--- Notes a hit of those that were parted before the solve.
+-- Notes a hit of each pair that overlapped and was parted before the solve.
 local function noteParted(b)
   local work = b.partWork
   for n = 1, work.partedCount do

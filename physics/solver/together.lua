@@ -1,15 +1,15 @@
 ---@diagnostic disable
---- Together: lets round bodies that meet at one moment bounce off each other at once.
+--- Together: makes round bodies that meet at one moment bounce off each other at once.
 --
 --            (b)      a meets b and c at one moment. One after the other, b would take more than c,
 --      (a)->          and which of them is first would decide it. Together both leave alike, and a
 --            (c)      stays behind, or comes back.
 --
 -- Let v be the velocities before, and w the nearest ones, weighed by mass, at which no pair closes.
--- What the pairs must give for w is one impulse >= 0 each. With restitution e they give (1 + e)
--- times that, so the velocities after are v + (1 + e) (w - v). For e = 1 that is v mirrored at w,
--- which keeps the energy: w - v is normal to w (else w were not the nearest). What closes then,
--- behind the first ones, meets in the next round, at the same moment.
+-- Each pair gives an impulse >= 0 for w. With restitution e it gives (1 + e) times that, so the
+-- velocities after are v + (1 + e) (w - v). For e = 1 that is v mirrored at w, which keeps the
+-- energy: w - v is normal to w (else w would not be the nearest). Pairs that close then, behind the
+-- first ones, meet in the next round, at the same moment.
 --
 -- The impulses are found pair by pair, each >= 0, until none changes (projected Gauss-Seidel).
 --
@@ -64,15 +64,15 @@ local function mayJoin(b, n)
     and not rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, false)
 end
 
--- Adds impact n to the list, and its bodies to those that are marked.
+-- Adds impact n to the list, and marks its bodies.
 local function join(b, list, n)
   list.count = list.count + 1
   list.impact[list.count] = n
   list.at[b.impacts.low[n]], list.at[b.impacts.high[n]] = list.stamp, list.stamp
 end
 
--- Lists the n-th impact and those behind it that happen at the same moment, and of which a body
--- that can move takes part in one that is listed.
+-- Lists the n-th impact and the later impacts that happen at the same moment and are linked with
+-- it: a body that can move takes part in both, or in others between them.
 local function gather(b, list, n)
   local impacts, at, stamp = b.impacts, list.at, list.stamp + 1
   local order, moment = impacts.order, impacts.moment
@@ -139,8 +139,8 @@ local function solve(b, list)
   end
 end
 
---- Lets the impact that is the n-th of this round, and those of round bodies that are linked with
---- it at the same moment, happen together. Returns their list; nil: there are no others.
+--- Resolves the n-th impact of this round together with the impacts of round bodies that are linked
+--- with it at the same moment. Returns their list; nil: there are no others.
 function together.run(b, n)
   b.together = b.together or newList()
   local list, impacts = b.together, b.impacts

@@ -30,8 +30,8 @@ local function set(n, x, y, place, j, itsSide)
   nx[n], ny[n], least[n], wall[n], side[n] = x, y, place, j, itsSide
 end
 
---- Adds a half-plane. Of two with one normal the narrower one counts; of two equal ones the one
---- whose wall comes first in the order of the world (`rank`).
+--- Adds a half-plane. If one with this normal is listed, the narrower one counts; if both are
+--- equal, the one with the wall that comes first in the order of the world (`rank`).
 function planes.add(rank, x, y, place, j, itsSide)
   local n = 1
   while n <= planes.count and not (nx[n] == x and ny[n] == y) do
@@ -44,7 +44,7 @@ function planes.add(rank, x, y, place, j, itsSide)
   end
 end
 
---- Forgets all half-planes but n and m, of which m is the first, or 0: none; so may be both.
+--- Forgets all half-planes but n and m, which comes first. Either may be 0: none.
 function planes.keepOnly(n, m)
   planes.count = (n > 0 and 1 or 0) + (m > 0 and 1 or 0)
   for at = 1, planes.count do
