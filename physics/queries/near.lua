@@ -61,10 +61,10 @@ local function checkPlace(b, i)
   local object = b.object[i]
   local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
   local kind = type(x)
-  local isPlace = kind == "number" and kind == type(y) and kind == type(width)
-  isPlace = isPlace and kind == type(height) and min(width, height) > 0
-  isPlace = isPlace and max(x, -x) + max(y, -y) + width + height <= MOST
-  if not isPlace or active ~= nil and type(active) ~= "boolean" then
+  local areNumbers = kind == "number" and kind == type(y) and kind == type(width)
+  local isBox = areNumbers and kind == type(height) and min(width, height) > 0
+  local isInRange = isBox and max(x, -x) + max(y, -y) + width + height <= MOST
+  if not isInRange or active ~= nil and type(active) ~= "boolean" then
     check.object(object, registry.placeOf, b, i)
   end
 end
