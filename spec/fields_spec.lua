@@ -46,7 +46,7 @@ local ON_LAND = {
       .. '  { name = "onLand", type = "function", event = "alone" },\n',
   },
   ["physics/memory/layout.lua"] = {
-    "  carrier = WHOLE, -- slot of what carries it",
+    "  carrier = WHOLE, -- slot of its carrier",
     "  stood = false, -- it stood on something at the end of its last step\n",
     '  { "carrier", 1, 0, isLink = true',
     '  { "stood", 1, false },\n',
