@@ -21,7 +21,8 @@ local SQUEEZED = 1.25
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
 -- A game has its world, `movers`, `solids`, `machines` (that may crush), `room`, `carried` (px that
--- a frame may add to a way), `hero` (who must not be stuck at the end), and functions `act(frame, dt)` and `check(frame)`, which returns what is wrong.
+-- a frame may add to a way), `hero` (who must not be stuck at the end), and functions
+-- `act(frame, dt)` and `check(frame)`, which returns what is wrong.
 local function newGame(settings, width, height)
   local world = physics.newWorld(settings)
   local game = {
@@ -420,8 +421,8 @@ function kinds.factory(random)
   return game
 end
 
--- Slopes of all kinds and blocks at random, water, a lift and a train, crates and balls; a hero that
--- walks, dashes, jumps, swims and rides.
+-- Slopes of all kinds and blocks at random, water, a lift and a train, crates and balls; a hero
+-- that walks, dashes, jumps, swims and rides.
 function kinds.caves(random)
   local game = newGame({ gravity = 900 }, 480, 320)
   local share, slopes = random:between(0.1, 0.35), { "left", "right", "topleft", "topright" }
@@ -604,6 +605,9 @@ function games.play(kind, seed, frames, isAlone)
   local others = isAlone and {} or { plain = plain, restored = restored }
   plain.world.broadphase, plain.world.rest = "pairs", false
   local watched = watcher.new(game.world, game.room, game.machines)
+  for _, other in pairs(others) do
+    watcher.new(other.world, other.room) -- a world that is listened to has other events
+  end
   for frame = 1, frames do
     game.act(frame, dt)
     watcher.note(watched, game.movers)

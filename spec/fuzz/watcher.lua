@@ -1,6 +1,7 @@
 --- What a player would notice in any game: something inside a wall, lost, or further on than its
 --- speed takes it; a crush with no machine near; a stop that nothing explains; contacts that begin
---- twice or end without a beginning. It looks at the game's own tables only, with its own geometry, so it proves nothing by what it should prove.
+--- twice or end without a beginning. It looks at the game's own tables only, with its own geometry,
+--- so it proves nothing by what it should prove.
 
 local watcher = {}
 
