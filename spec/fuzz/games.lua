@@ -21,8 +21,8 @@ local SQUEEZED = 1.25
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
 -- A game has its world, `movers`, `solids`, `machines` (that may crush), `room`, `carried` (px that
--- a frame may add to a way), `hero` (who must not be stuck at the end), and functions `act(frame,
--- dt)` and `check(frame)`, which returns what is wrong.
+-- a frame may add to a way), `hero` (who must not be stuck at the end), and functions
+-- `act(frame, dt)` and `check(frame)`, which returns what is wrong.
 local function newGame(settings, width, height)
   local world = physics.newWorld(settings)
   local game = {
@@ -605,6 +605,9 @@ function games.play(kind, seed, frames, isAlone)
   local others = isAlone and {} or { plain = plain, restored = restored }
   plain.world.broadphase, plain.world.rest = "pairs", false
   local watched = watcher.new(game.world, game.room, game.machines)
+  for _, other in pairs(others) do
+    watcher.new(other.world, other.room) -- a world that is listened to has other events
+  end
   for frame = 1, frames do
     game.act(frame, dt)
     watcher.note(watched, game.movers)
