@@ -54,6 +54,13 @@ local function pretend(files)
       return decode(files[path])
     end
   end
+  function filesystem.getDirectoryItems()
+    local names = {}
+    for path in pairs(files) do
+      names[#names + 1] = path:match("^maps/([^/]+)$")
+    end
+    return names
+  end
   rawset(_G, "love", { filesystem = filesystem })
   return asked
 end
