@@ -21,7 +21,7 @@ local SQUEEZED = 1.25
 local RATES = { 1 / 30, 1 / 60, 1 / 60, 1 / 60, 1 / 120, 1 / 144 }
 
 -- A game has its world, `movers`, `solids`, `machines` (that may crush), `room`, `carried` (px that
--- a frame may add to a way), `hero` (who must not be stuck at the end), and functions
+-- a frame may add to a way), `hero` (which must not be stuck at the end), and functions
 -- `act(frame, dt)` and `check(frame)`, which returns what is wrong.
 local function newGame(settings, width, height)
   local world = physics.newWorld(settings)
