@@ -83,7 +83,9 @@ end
 function online.load(role, address)
   sides, state = {}, { isCut = false }
   online.sides = sides
-  online.keys, online.world = OWN_KEYS, nil
+  online.keys, online.world =
+    OWN_KEYS, --[[@as any]]
+    nil
   if role == "host" then
     addSide(1, line.host, withPort(address or "*"))
   elseif role == "join" then

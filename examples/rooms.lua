@@ -50,6 +50,7 @@ local function newClass(draw)
   return class
 end
 
+---@class Coin: physics.Object
 local Coin = newClass(function(coin)
   look.ball(coin.x, coin.y, coin.width / 2, "yellow")
 end)

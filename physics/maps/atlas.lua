@@ -117,8 +117,8 @@ local function setThere(self, map, isThere)
 end
 
 --- Makes a level of the maps of a world of the editor. Errors: one of them cannot be read.
----@param world physics.World
----@param maps physics.AtlasMap[]
+---@param world table
+---@param maps table[] physics.AtlasMap
 ---@param readMap function reads a map; returns its level, its tiles, and a function that adds them
 ---@param isLater boolean? is no map there at first
 ---@param given table? the decoded world

@@ -61,7 +61,7 @@ end
 --- Notes what a map has made.
 ---@param world table
 ---@param made table `objects`; `_x`, `_y`: px, where the map is
----@param layers physics.Tiles[]
+---@param layers table[] physics.Tiles
 ---@param waiting physics.Object[]? those that are not a part of the world yet
 function recall.enter(world, made, layers, waiting)
   local here, x, y = mapsOf(world).here, world._shiftedX, world._shiftedY
@@ -211,6 +211,7 @@ function recall.find(world, st, layers)
     addNames(byName, members)
   end
   for _, layer in next, layers, nil do
+    ---@cast layer table
     for object in next, layer._isWaiting, nil do
       byName[nameOf(object)] = object
     end

@@ -200,7 +200,7 @@ function groups.compareAll(records, isLook)
   local isAny = false
   for index, record in ipairs(records) do
     local isOther = record.index ~= index
-    local change = isOther and 1 or groups.firstChange(record) or huge
+    local change = isOther and 1 or groups.firstChange(record) or huge ---@type number
     change = isLook and change or min(change, record.firstLooked)
     record.changedCount, record.newKeys, record.newCount = 0, record.keys, record.count
     if change < huge then

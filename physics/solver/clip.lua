@@ -42,7 +42,8 @@ local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
 local PASSES = 4
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
-local nx, ny, least, wall, side = planes.nx, planes.ny, planes.least, planes.wall, planes.side
+local nx, ny, least, wall = planes.nx, planes.ny, planes.least, planes.wall
+local side = planes.side ---@type integer[]
 -- px by which a box may be in a wall where the step begins.
 local NEAR = 0.001
 -- px/s: slower things stand still.
@@ -202,7 +203,9 @@ end
 
 -- Notes that half-plane n, if it is an edge, is a wall for box i, too: it is in a corner.
 local function block(b, i, n)
-  local t = 1 - AXIS[side[n]]
+  local t = 1 - AXIS[
+    side[n] --[[@as integer]]
+  ]
   local across = t == 0 and nx[n] or ny[n]
   if across ~= 0 then
     local pressed, last = across < 0 and b.pressedHigh or b.pressedLow, b.blockedCount + 1

@@ -46,7 +46,7 @@ end
 
 --- Forgets all half-planes but n and m, which comes first. Either may be 0: none.
 function planes.keepOnly(n, m)
-  planes.count = (n > 0 and 1 or 0) + (m > 0 and 1 or 0)
+  planes.count = n > 0 and (m > 0 and 2 or 1) or 0
   for at = 1, planes.count do
     local from = at < planes.count and m or n
     set(at, nx[from], ny[from], least[from], wall[from], side[from])
