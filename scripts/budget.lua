@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 632 },
   { "physics/contacts", 371 },
   { "physics/fields", 658 },
-  { "physics/maps", 2632 },
+  { "physics/maps", 2637 },
   { "physics/memory", 889 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 558 },
@@ -17,10 +17,10 @@ local BUDGET = {
   { "physics/overlaps", 793 },
   { "physics/queries", 855 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3403 },
+  { "physics/solver", 3406 },
   { "physics/space", 499 },
   { "physics/state", 1020 },
-  { "physics/world", 1425 },
+  { "physics/world", 1426 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
