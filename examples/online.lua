@@ -26,6 +26,7 @@ local VERSION = "football 1, physics " .. physics._VERSION
 local LINES = { { 0.15, 0.1 }, { 0, 0 }, { 0.06, 0.02 } } -- s of ping, share of loss
 local NAMES, COLORS = { "orange", "blue" }, { "orange", "sky" }
 local BOTH_KEYS = online.keys
+---@type any
 local OWN_KEYS = { { "left", "right", "up", "play" }, { "b", "make the line worse" } }
 
 -- sides: of this machine: one or two of { player =, game =, session =, line = }
@@ -83,9 +84,7 @@ end
 function online.load(role, address)
   sides, state = {}, { isCut = false }
   online.sides = sides
-  online.keys, online.world =
-    OWN_KEYS, --[[@as any]]
-    nil
+  online.keys, online.world = OWN_KEYS, nil
   if role == "host" then
     addSide(1, line.host, withPort(address or "*"))
   elseif role == "join" then

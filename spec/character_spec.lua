@@ -189,6 +189,6 @@ describe("strength", function()
         assert.near(tonumber(softOut), soft, 10)
       end
     end
-    assert.equal(7, rows)
+    assert.equal(5, rows)
   end)
 end)
