@@ -173,9 +173,10 @@ end
 -- began, which goes with the walls. Faces are those in front of which it was when its path began,
 -- or if that was in a wall, when the step began.
 local function findPlace(b, i)
-  local k, most, start, t = 2 * i, wayOf(b, i, b.origin) + NEAR, b.from, b.time[i]
-  if wallAt(b, i, start[k], start[k + 1], t) then
-    start, t = b.origin, 0
+  local k, most, t = 2 * i, wayOf(b, i, b.origin) + NEAR, b.time[i]
+  local startX, startY = b.from[k], b.from[k + 1] -- (no column: `lookUp` may replace that)
+  if wallAt(b, i, startX, startY, t) then
+    startX, startY, t = b.origin[k], b.origin[k + 1], 0
   end
   planes.count = 0
   addRoom(b, i)
@@ -191,7 +192,7 @@ local function findPlace(b, i)
       planes.keepOnly(one, other)
       path.lead(b, i, wantX, wantY)
       return isFree and x, y
-    elseif not addFace(b, i, j, start[k], start[k + 1], t) then
+    elseif not addFace(b, i, j, startX, startY, t) then
       path.lead(b, i, wantX, wantY)
       return nil
     end

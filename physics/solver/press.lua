@@ -138,7 +138,7 @@ local function addContact(b, list, n, c)
   if not isIn or bounces or b.squeezed[kl] ~= 0 or b.squeezed[kh] ~= 0 then
     return false
   end
-  s.pair[c], s.one[c], s.other[c] = list.pair[n], i, j
+  s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
   s.push[c], s.impulse[c], s.slop[c] = 0.0, 0.0, EPSILON
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)

@@ -37,11 +37,10 @@ local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local huge, max, min = math.huge, math.max, math.min
 -- Shares of the smaller size: an overlap that is left as it is, and the depth from which two leave
 -- each other as boxes do.
-local SLOP, LOST = 0.002, 0.25
+local SLOP, LOST = 0.002, ball.LOST
 -- Pairs get a plane although they may not meet if they are nearer than this share of the smaller
 -- size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
-local REACH = pairFinder.REACH
 -- Share of an overlap that is taken away in a step.
 local PACE = 0.5
 
@@ -195,7 +194,7 @@ local function meeting(b, i, j)
   local x, y, ox, oy = from[k], from[k + 1], from[m], from[m + 1]
   local dx, dy = to[k] - x - to[m] + ox, to[k + 1] - y - to[m + 1] + oy
   local smallest, distance = ball.smallest(b, i, j), max(dx, -dx, dy, -dy)
-  local near = min(NEAR * smallest, REACH)
+  local near = min(NEAR * smallest, pairFinder.REACH)
   if boxes.gap(b, from, i, j) > max(distance, near) then
     return nil
   end
@@ -243,7 +242,7 @@ end
 --- whether there are new ones. `isFirst`: bodies that lean on something slanted are left for the
 --- next time, since that turns them first.
 function slant.find(b, isFirst)
-  pairFinder.run(b, b.awakeList, b.awakeCount, REACH)
+  pairFinder.run(b, b.awakeList, b.awakeCount, pairFinder.REACH)
   contacts.noteNew(b)
   local apart, touches, pairA, pairB, hasNew = b.apart, b.touches, b.pairA, b.pairB, false
   local s, stamp, leansAt = b.slants, b.solveStamp, b.slants.leansAt
