@@ -50,7 +50,7 @@ check "platformer plays" play platformer platformer 300 "$keys"
 check "platformer: the player ran to the right" at_least platformer x 400
 check "platformer: the player took coins" at_least platformer coins 3
 # The recorded keys win the level. When the level or the physics was changed on purpose and they do
-# not any more: `luajit scripts/find_keys.lua >examples/demos/platformer.keys`.
+# not any more: `luajit scripts/find_keys.lua platformer >examples/demos/platformer.keys`.
 check "platformer plays to its end" play platformer-won platformer 900 "$keys"
 check "platformer: the flag is reached" is platformer-won won true
 check "platformer: at the first try" is platformer-won deaths 0
@@ -62,7 +62,7 @@ check "rooms plays the saved game" play rooms-saved rooms 60 "c:5"
 check "rooms: the saved game is in the other room" at_least rooms-saved x 490
 check "rooms plays the other editor's map" play rooms-ldtk rooms 60 "g:5"
 
-# These, too: `luajit scripts/find_hills_keys.lua >examples/demos/hills.keys`.
+# These, too: `luajit scripts/find_keys.lua hills >examples/demos/hills.keys`.
 check "hills plays to its end" play hills hills 1900 "$(cat examples/demos/hills.keys)"
 check "hills: the flag is reached" is hills won true
 check "hills: at the first try" is hills deaths 0
