@@ -14,10 +14,25 @@ address=$(luajit scripts/publish.lua address) || exit 1
 place=build/release
 zip=$PWD/$place/$name.zip
 
+# write_addon FOLDER: the addon for the Lua language server, for a game that has the library as one
+# file, which is too long for that server, or elsewhere than in its workspace.
+write_addon() {
+  mkdir -p "$1/library/lib" && cp -r physics.lua physics "$1/library/" || return
+  # For `require "lib.physics"`.
+  printf '%s\n' '---@meta lib.physics' 'return require("physics")' >"$1/library/lib/physics.lua"
+  cat >"$1/config.json" <<'JSON'
+{
+  "name": "physics.lua",
+  "words": ["require[%s%(\"']+[%w_.]*physics[\"']", "physics%.newWorld"],
+  "settings": {}
+}
+JSON
+}
+
 pack() {
-  rm -rf "$place" && mkdir -p "$place/$name/addon/library/lib" || return
+  rm -rf "$place" && mkdir -p "$place/$name" || return
   luajit scripts/single.lua "$place/$name/physics.lua" || return
-  luajit scripts/addon.lua "$place/$name/addon" || return
+  write_addon "$place/$name/addon" || return
   cp LICENSE CHANGELOG.md "$place/$name/" || return
   # Dates are those of the last commit; a copy without git has one that a zip can hold.
   local date
@@ -41,8 +56,8 @@ check "it can be unpacked" unzip -q "$zip" -d "$elsewhere"
 holds() {
   local found expected
   found=$(cd "$elsewhere/$name" && find . -type f | LC_ALL=C sort)
-  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json \
-    addon/library/lib/physics.lua addon/library/physics.lua physics.lua)
+  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json addon/library/lib/physics.lua \
+    physics.lua $(find physics.lua physics -type f -printf 'addon/library/%p\n') | LC_ALL=C sort)
   echo "$found"
   [ "$found" = "$expected" ]
 }
@@ -66,7 +81,7 @@ for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
   check "a game plays with the file on $lua" plays "$lua"
 done
 
-# The addon beside a game: no code of the library, so all that is known of it stands in the addon.
+# The addon beside a game: all that is known of the library stands in the addon.
 types=$PWD/build/release/types
 mkdir -p "$types" && cp .emmyrc.json "$types/" && cp -r "$elsewhere/$name/addon/library" "$types/"
 emmylua() {
