@@ -26,6 +26,15 @@ check() {
 # refuses COMMAND...: succeeds when the command fails. For checks of the checks themselves.
 refuses() { ! "$@"; }
 
+# love_in ARGUMENT...: runs LÖVE in a virtual display, with its exit code. `timeout` stands inside:
+# killed from outside, xvfb-run would leave its display behind. Its own exit code is not LÖVE's when
+# it cannot clean up. LOVE names another LÖVE than that of the system.
+love_in() {
+  rm -f build/love.code
+  xvfb-run -a bash -c 'timeout -k 2 300 "${LOVE:-love}" "$@"; echo $? >build/love.code' love "$@"
+  return "$(cat build/love.code)"
+}
+
 # count_specs WHAT CODE LOG SECONDS: counts the specs of a run of busted that has ended.
 count_specs() {
   local what=$1 code=$2 log=$3 seconds=$4 summary good bad broken pending
