@@ -39,7 +39,7 @@ local PAIRS = {
 local function run(text, options)
   local path = os.tmpname()
   files.write(path, text)
-  local command = "env -u PHYSICS_LUA -u SPEC_TIMES luajit scripts/plain_busted.lua %s '%s' 2>&1"
+  local command = "env -u PHYSICS_LUA luajit scripts/plain_busted.lua %s '%s' 2>&1"
   local printed = files.output(command:format(options, path))
   os.remove(path)
   return printed
