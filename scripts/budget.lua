@@ -4,6 +4,10 @@
 ---
 ---   luajit scripts/budget.lua
 
+package.path = "./?.lua;" .. package.path
+
+local files = require("spec.support.files")
+
 local BUDGET = {
   { "physics.lua", 86 },
   { "physics/broadphase", 632 },
@@ -24,13 +28,6 @@ local BUDGET = {
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
-local function run(command)
-  local pipe = assert(io.popen(command))
-  local text = pipe:read("*a")
-  pipe:close()
-  return text
-end
-
 -- Lines that are neither empty nor only a comment.
 local function countCode(path)
   local count = 0
@@ -45,7 +42,7 @@ end
 -- Code lines by the folder below `physics`. The types for editors are no code.
 local function countFolders()
   local counts, all = {}, 0
-  for path in run("find physics.lua physics -name '*.lua' ! -name types.lua"):gmatch("[^\n]+") do
+  for _, path in ipairs(files.list("find physics.lua physics -name '*.lua' ! -name types.lua")) do
     local folder = path:match("^physics/[^/]+") or path
     local lines = countCode(path)
     counts[folder], all = (counts[folder] or 0) + lines, all + lines

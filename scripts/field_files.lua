@@ -9,6 +9,7 @@
 package.path = "./?.lua;" .. package.path
 
 local fields = require("physics.fields.fields")
+local projectFiles = require("spec.support.files")
 
 -- Files that may name a field; 2 if it is not here.
 local ALLOWED = {
@@ -43,13 +44,6 @@ local FEW = 2
 -- Place, size and velocity are what the core is about.
 local EVERYWHERE = { x = true, y = true, width = true, height = true, vx = true, vy = true }
 
-local function run(command)
-  local pipe = assert(io.popen(command))
-  local text = pipe:read("*a")
-  pipe:close()
-  return text
-end
-
 -- Returns the code of a file, without comments.
 local function codeOf(path)
   local lines = {}
@@ -60,7 +54,7 @@ local function codeOf(path)
 end
 
 local files = {}
-for path in run("find physics -name '*.lua' | sort"):gmatch("[^\n]+") do
+for _, path in ipairs(projectFiles.list("find physics -name '*.lua'")) do
   local isLeftOut = path:find("^physics/fields/")
     or path == "physics/types.lua"
     or path == "physics/objects/readFields.lua"

@@ -49,26 +49,6 @@ local options = {
   games = 100,
 }
 
-local function readOptions(list)
-  local n = 1
-  while list[n] do
-    local name = list[n]:match("^%-%-(.+)$")
-    if options[name] == nil then
-      error("unknown option " .. list[n], 0)
-    elseif name == "keep-going" or name == "slopes" then
-      options[name] = true
-    else
-      n = n + 1
-      local isNumber = type(options[name]) == "number"
-      options[name] = isNumber and tonumber(list[n]) or not isNumber and list[n]
-      if not options[name] then
-        error("a number must follow " .. list[n - 1], 0)
-      end
-    end
-    n = n + 1
-  end
-end
-
 -- The checks of bounds that were asked for, nil: none.
 local function readBounds(names)
   local chosen, count = {}, 0
@@ -169,7 +149,7 @@ local function playKinds(names)
   return failed == 0
 end
 
-readOptions(arg)
+require("scripts.options")(options, arg)
 if options.game ~= "" then
   os.exit(playKinds(options.game == "all" and games.kinds or { options.game }) and 0 or 1)
 end

@@ -186,17 +186,5 @@ local function main()
   return #chosen - noticed <= SURVIVORS_ALLOWED * #chosen
 end
 
-local n = 1
-while arg[n] do
-  local name = arg[n]:match("^%-%-(.+)$")
-  local kind = type(options[name])
-  assert(kind ~= "nil", "unknown option " .. arg[n])
-  if kind == "boolean" then
-    options[name] = true
-  else
-    n = n + 1
-    options[name] = kind == "number" and assert(tonumber(arg[n])) or assert(arg[n])
-  end
-  n = n + 1
-end
+require("scripts.options")(options, arg)
 os.exit(main() and 0 or 1)

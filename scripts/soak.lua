@@ -20,16 +20,6 @@ local MORE_MEMORY, MORE_TIME = 1.05, 1.5
 
 local options = { steps = 1000000, part = 100000, resume = "" }
 
-local function readOptions(list)
-  for n = 1, #list, 2 do
-    local name = list[n]:match("^%-%-(.+)$")
-    if options[name] == nil then
-      error("unknown option " .. list[n], 0)
-    end
-    options[name] = name == "resume" and list[n + 1] or assert(tonumber(list[n + 1]))
-  end
-end
-
 local function store(world, n)
   os.execute("mkdir -p build")
   local file = assert(io.open(PATH, "w"))
@@ -75,5 +65,5 @@ local function run()
   return isFlat
 end
 
-readOptions(arg)
+require("scripts.options")(options, arg)
 os.exit(run() and 0 or 1)
