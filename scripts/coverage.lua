@@ -81,19 +81,30 @@ function coverage.isCore(path)
   return not (NOT_CORE[path] or path:find("^physics/maps/"))
 end
 
+--- Adds the lines that a file of marks names to `known`, path -> set of lines.
+function coverage.readMarks(known, marks)
+  for entry in io.lines(marks) do
+    local path, line = entry:match("^(.*) (%d+)$")
+    known[path] = known[path] or {}
+    known[path][tonumber(line)] = true
+  end
+end
+
 --- The report, as text.
----@param known table path -> `{ [line] = whether it was run }`; a file not in it was not run
+---@param known table path -> set of the lines that were run
 ---@param paths string[] all files
 ---@return string text
 function coverage.report(known, paths)
   local out, total, run = {}, 0, 0
   for _, path in ipairs(paths) do
-    local lines = known[path] or select(2, coverage.marked(files.read(path), "_"))
+    local lines, wasRun = select(2, coverage.marked(files.read(path), "_")), known[path] or {}
     local number, before, missed = 0, total, {}
     for line in (files.read(path) .. "\n"):gmatch("(.-)\n") do
       number = number + 1
-      total, run = total + (lines[number] ~= nil and 1 or 0), run + (lines[number] and 1 or 0)
-      missed[#missed + 1] = lines[number] == false and ("  %4d  %s"):format(number, line) or nil
+      if lines[number] == false then
+        total, run = total + 1, run + (wasRun[number] and 1 or 0)
+        missed[#missed + 1] = not wasRun[number] and ("  %4d  %s"):format(number, line) or nil
+      end
     end
     if missed[1] then
       local count = total - before
@@ -110,11 +121,7 @@ end
 if arg and arg[0] and arg[0]:find("scripts/coverage.lua", 1, true) then
   local known = {}
   for _, marks in ipairs(arg) do
-    for entry in io.lines(marks) do
-      local path, line = entry:match("^(.*) (%d+)$")
-      known[path] = known[path] or select(2, coverage.marked(files.read(path), "_"))
-      known[path][tonumber(line)] = true
-    end
+    coverage.readMarks(known, marks)
   end
   local core = {}
   for _, path in ipairs(files.list("find physics.lua physics -name '*.lua'")) do

@@ -10,11 +10,7 @@ local seen, texts = {}, {}
 -- path -> set of the lines that need no mark
 local known, knownFrom = {}, os.getenv("COVERAGE_KNOWN")
 if knownFrom then
-  for entry in io.lines(knownFrom) do
-    local path, line = entry:match("^(.*) (%d+)$")
-    known[path] = known[path] or {}
-    known[path][tonumber(line)] = true
-  end
+  coverage.readMarks(known, knownFrom)
 end
 
 -- Instead of the loader of files, for the modules of the library.

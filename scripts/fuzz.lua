@@ -50,20 +50,16 @@ local options = {
 }
 
 -- The checks of bounds that were asked for, nil: none.
-local function readBounds(names)
-  local chosen, count = {}, 0
-  for name in (names == "all" and table.concat(bounds.NAMES, ",") or names):gmatch("[^,]+") do
-    local isKnown = ("," .. table.concat(bounds.NAMES, ",") .. ","):find(
-      "," .. name .. ",",
-      1,
-      true
-    )
-    if not isKnown then
-      error("--bounds knows " .. table.concat(bounds.NAMES, ", ") .. ", not " .. name, 0)
+local function readBounds(text)
+  local known, chosen = table.concat(bounds.NAMES, ","), nil
+  for name in (text == "all" and known or text):gmatch("[^,]+") do
+    if not ("," .. known .. ","):find("," .. name .. ",", 1, true) then
+      error("--bounds knows " .. known .. ", not " .. name, 0)
     end
-    chosen[name], count = true, count + 1
+    chosen = chosen or {}
+    chosen[name] = true
   end
-  return count > 0 and chosen or nil
+  return chosen
 end
 
 local chosen -- checks of bounds

@@ -41,33 +41,23 @@ local GROUPS = {
   { title = "Events", names = "onBegin onStay onEnd onCrush canCollide" },
 }
 
+-- The files with the types of two pages.
+local WORLD, MAPS = { "physics/types.lua" }, {}
+for _, name in ipairs({ "world", "queryMethods", "draw" }) do
+  WORLD[#WORLD + 1] = ("physics/world/%s.lua"):format(name)
+end
+for _, name in ipairs({ "tiles", "array", "tiled", "atlas", "ldtk" }) do
+  MAPS[#MAPS + 1] = ("physics/maps/%s.lua"):format(name)
+end
+
 -- The pages of docs/api/, in the order of the index, and the files with the types of each.
 local PAGES = {
   { name = "fields", title = "Fields of objects", types = {} },
   { name = "settings", title = "Settings", types = {} },
   { name = "world", title = "The module and its worlds", types = {} },
   { name = "queries", title = "Queries and moves", types = {} },
-  {
-    name = "maps",
-    title = "Maps and tiles",
-    types = {
-      "physics/maps/tiles.lua",
-      "physics/maps/array.lua",
-      "physics/maps/tiled.lua",
-      "physics/maps/atlas.lua",
-      "physics/maps/ldtk.lua",
-    },
-  },
-  {
-    name = "types",
-    title = "Types",
-    types = {
-      "physics/types.lua",
-      "physics/world/world.lua",
-      "physics/world/queryMethods.lua",
-      "physics/world/draw.lua",
-    },
-  },
+  { name = "maps", title = "Maps and tiles", types = MAPS },
+  { name = "types", title = "Types", types = WORLD },
 }
 
 -- Methods of worlds that stand on other pages than "world".

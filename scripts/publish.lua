@@ -59,14 +59,11 @@ function publish.left(state)
   local address = publish.address(state.rockspec)
   local site = publish.siteOf(address)
   need(address, ROCKSPEC .. ": set source.url to git+https://github.com/OWNER/NAME")
+  for _, link in ipairs(address and { "/releases/latest/download/physics.lua", "/issues" } or {}) do
+    need(state.readme:find(address .. link, 1, true), "README.md: link " .. address .. link)
+  end
   if address then
-    local download = address .. "/releases/latest/download/physics.lua"
-    need(state.readme:find(download, 1, true), "README.md: link " .. download)
     need(site and state.readme:find(site, 1, true), "README.md: link the site, " .. tostring(site))
-    need(
-      state.readme:find(address .. "/issues", 1, true),
-      "README.md: link " .. address .. "/issues"
-    )
   end
   local release = state.version:match("^%d+%.%d+%.%d+$")
   need(release, "physics.lua: _VERSION is " .. state.version .. ", not that of a release")

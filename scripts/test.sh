@@ -36,7 +36,7 @@ all_files=$(echo "$slow_files" && spec_files | grep -vxF "$slow_files")
 differing=$(differing_files)
 # jobs NAME LUA FILES [OPTION]
 jobs() { sed "s#^#$1|$2 scripts/plain_busted.lua ${4:-}|#" <<<"$3"; }
-covering() { jobs "LuaJIT -joff" scripts/luajit-joff "$all_files" "--exclude-tags=slow --coverage"; }
+covering() { jobs "LuaJIT -joff" "luajit -joff" "$all_files" "--exclude-tags=slow --coverage"; }
 
 case $mode in
   --quick)
