@@ -26,19 +26,15 @@ end
 
 -- The tables of the fields of objects.
 local GROUPS = {
-  { title = "Place and shape", names = "x y width height radius slope" },
-  { title = "Kind", names = "static kinematic active sensor area" },
+  { "Place and shape", "x y width height radius slope" },
+  { "Kind", "static kinematic active sensor area" },
   {
-    title = "Motion",
-    names = "vx vy ax ay gravity gravityX airFriction drag "
-      .. "maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
+    "Motion",
+    "vx vy ax ay gravity gravityX airFriction drag maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
   },
-  { title = "Walking and riding", names = "nudge snap constantSpeed carry surfaceSpeed" },
-  {
-    title = "Contacts",
-    names = "touching mass pushable strength friction restitution mask hits oneWay",
-  },
-  { title = "Events", names = "onBegin onStay onEnd onCrush canCollide" },
+  { "Walking and riding", "nudge snap constantSpeed carry surfaceSpeed" },
+  { "Contacts", "touching mass pushable strength friction restitution mask hits oneWay" },
+  { "Events", "onBegin onStay onEnd onCrush canCollide" },
 }
 
 -- The files with the types of two pages.
@@ -194,10 +190,10 @@ local function addGroups(lines)
   local named, rest = {}, {}
   for _, group in ipairs(GROUPS) do
     local rows = {}
-    for name in group.names:gmatch("%S+") do
+    for name in group[2]:gmatch("%S+") do
       rows[#rows + 1], named[name] = assert(fields.objectByName[name], name), true
     end
-    add(lines, "## " .. group.title, "")
+    add(lines, "## " .. group[1], "")
     addFields(lines, rows, "field")
   end
   for _, field in ipairs(fields.objects) do
