@@ -23,10 +23,7 @@ SCRIPT
 }
 check "LuaJIT for arm64 is there" unpack
 check "it compiles" "$place/luajit" -e 'assert(jit.arch == "arm64" and jit.status())'
-if [ "$failed" -gt 0 ]; then
-  finish
-  exit 1
-fi
+finish_if_failed
 
 what="the determinism scene gives the same number as here"
 check "$what" same_number "$place/luajit"

@@ -40,10 +40,10 @@ finish() {
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }
 
-# The Lua files of the project, as far as they exist.
+# Ends a script of which the rest makes no sense when this has failed.
+finish_if_failed() { [ "$failed" -eq 0 ] || { finish; exit 1; }; }
+
+# The Lua files of the project.
 lua_sources() {
-  local place
-  for place in physics.lua physics spec examples bench scripts web/determinism web/playground; do
-    [ ! -e "$place" ] || echo "$place"
-  done
+  printf '%s\n' physics.lua physics spec examples bench scripts web/determinism web/playground
 }

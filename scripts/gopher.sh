@@ -13,10 +13,7 @@ fi
 gopher=$PWD/build/gopher
 build() { (cd spec/gopher && go build -mod=readonly -buildvcs=false -o "$gopher" .); }
 check "gopher-lua builds" build
-if [ "$failed" -gt 0 ]; then
-  finish
-  exit 1
-fi
+finish_if_failed
 check "the determinism scene gives the same number as on LuaJIT" same_number "$gopher"
 
 # That a spec fails has to be seen.

@@ -33,13 +33,13 @@ os.exit(0)
 LUA
 number=$(luajit -e 'print(require("spec.golden").everything)')
 limited() { if command -v timeout >/dev/null; then timeout -k 2 120 "$@"; else "$@"; fi; }
-same_number() {
+known_number() {
   local there
   there=$(XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/tmp} limited "$1" "$stage") || return 1
   echo "$there; the spec says $number"
   [ -n "$number" ] && grep -qx "fold $number" <(tr -d '\r' <<<"$there")
 }
-check "the determinism scene gives the known number in LÖVE" same_number "${LOVE:-love}"
+check "the determinism scene gives the known number in LÖVE" known_number "${LOVE:-love}"
 is_new() { "$1" --version | grep -F "LOVE 11.5"; }
 if [ "${1:-}" = --only ] || is_new "${LOVE:-love}"; then
   finish
@@ -48,7 +48,7 @@ fi
 
 check "LÖVE 11.5 is there" unpack
 check "and it is that" is_new "$place/love"
-check "the determinism scene gives the known number in LÖVE 11.5" same_number "$place/love"
+check "the determinism scene gives the known number in LÖVE 11.5" known_number "$place/love"
 if [ "${1:-}" = --all ]; then
   counts=$(LOVE=$place/love bash scripts/examples.sh | tee /dev/stderr | tail -n 1)
   read -r good _ bad _ <<<"$counts"

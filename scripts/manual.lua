@@ -46,13 +46,23 @@ for _, name in ipairs({ "tiles", "array", "tiled", "atlas", "ldtk" }) do
   MAPS[#MAPS + 1] = ("physics/maps/%s.lua"):format(name)
 end
 
--- The pages of docs/api/, in the order of the index, and the files with the types of each.
+-- The pages of docs/api/, in the order of the index: the owners of functions and the headings of
+-- their parts, and the files with types.
 local PAGES = {
-  { name = "fields", title = "Fields of objects", types = {} },
-  { name = "settings", title = "Settings", types = {} },
-  { name = "world", title = "The module and its worlds", types = {} },
-  { name = "queries", title = "Queries and moves", types = {} },
-  { name = "maps", title = "Maps and tiles", types = MAPS },
+  { name = "fields", title = "Fields of objects" },
+  { name = "settings", title = "Settings" },
+  {
+    name = "world",
+    title = "The module and its worlds",
+    parts = { "physics", "World", "## The tutorial's functions", "pure" },
+  },
+  { name = "queries", title = "Queries and moves", parts = { "World" } },
+  {
+    name = "maps",
+    title = "Maps and tiles",
+    parts = { "World", "## Tiles", "Tiles", "## Levels of several maps", "Atlas" },
+    types = MAPS,
+  },
   { name = "types", title = "Types", types = WORLD },
 }
 
@@ -121,7 +131,7 @@ end
 
 local function typesOf(page)
   local list = {}
-  for _, entry in ipairs(docstrings.read(page.types)) do
+  for _, entry in ipairs(docstrings.read(page.types or {})) do
     list[#list + 1] = entry.kind ~= "function" and not HIDDEN[entry.name] and entry or nil
   end
   return list
@@ -414,42 +424,32 @@ end
 
 -- The pages --------------------------------------------------------------------------------------
 
--- Each gets the lines that it adds to, and the page as it was.
-local write = {}
+-- What pages begin with.
+local begin = { world = addWorldFields }
 
-function write.fields(lines, old)
+function begin.fields(lines, old)
   addGroups(lines)
   addHeading(lines, old, "## Areas")
   addFields(lines, fields.area, "area")
 end
 
-function write.settings(lines)
+function begin.settings(lines)
   addFields(lines, fields.settings, "setting")
 end
 
-function write.world(lines, old)
-  addWorldFields(lines)
-  addFunctions(lines, old, "world", "physics")
-  addFunctions(lines, old, "world", "World")
-  addHeading(lines, old, "## The tutorial's functions")
-  addFunctions(lines, old, "world", "pure")
-end
-
-function write.queries(lines, old)
-  addFunctions(lines, old, "queries", "World")
-end
-
-function write.maps(lines, old)
-  addFunctions(lines, old, "maps", "World")
-  addHeading(lines, old, "## Tiles")
-  addFunctions(lines, old, "maps", "Tiles")
-  addHeading(lines, old, "## Levels of several maps")
-  addFunctions(lines, old, "maps", "Atlas")
-  addTypes(lines, PAGES[5])
-end
-
-function write.types(lines)
-  addTypes(lines, PAGES[6])
+local function addPage(lines, old, page)
+  addHeading(lines, old, "# " .. page.title)
+  if begin[page.name] then
+    begin[page.name](lines, old)
+  end
+  for _, part in ipairs(page.parts or {}) do
+    if part:find("^#") then
+      addHeading(lines, old, part)
+    else
+      addFunctions(lines, old, page.name, part)
+    end
+  end
+  addTypes(lines, page)
 end
 
 local function index(old)
@@ -475,9 +475,8 @@ end
 function manual.pages()
   local pages = { ["docs/api.md"] = index(files.read("docs/api.md")) }
   for _, page in ipairs(PAGES) do
-    local lines, old = {}, files.read(pathOf(page))
-    addHeading(lines, old, "# " .. page.title)
-    write[page.name](lines, old)
+    local lines = {}
+    addPage(lines, files.read(pathOf(page)), page)
     pages[pathOf(page)] = addLinks(lines, page.name)
   end
   return pages

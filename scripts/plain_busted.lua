@@ -110,7 +110,9 @@ local assertions = {
   not_equal = comparing("another than ", function(unwanted, found)
     return unwanted ~= found
   end),
-  same = comparing("the same as ", isSame),
+  same = comparing("the same as ", function(expected, found)
+    return isSame(expected, found)
+  end),
   near = comparing("about ", function(expected, found, tolerance)
     return found >= expected - tolerance and found <= expected + tolerance
   end, 2),

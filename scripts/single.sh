@@ -14,12 +14,7 @@ fi
 lua55=$(bash scripts/puc_lua.sh 5.5) || exit 1
 stage=build/single
 rm -rf "$stage" && mkdir -p "$stage"
-for entry in * .busted .github; do
-  case $entry in
-    physics | build | lua_modules | node_modules | web) ;;
-    *) cp -r "$entry" "$stage/" ;;
-  esac
-done
+git ls-files -z -co --exclude-standard | grep -zvE '^(physics|web)/' | xargs -0 cp --parents -t "$stage"
 cp build/physics.lua "$stage/"
 find physics -name '*.lua' | sed 's/\.lua$//; s#/#.#g' >"$stage/modules.txt"
 check "Lua 5.1 reads the single file" luac5.1 -p "$stage/physics.lua"

@@ -12,6 +12,7 @@
 package.path = "./?.lua;" .. package.path
 
 local busy = require("spec.support.busy")
+local files = require("spec.support.files")
 local write = require("spec.fuzz.write")
 
 local PATH = "build/soak.lua"
@@ -22,9 +23,8 @@ local options = { steps = 1000000, part = 100000, resume = "" }
 
 local function store(world, n)
   os.execute("mkdir -p build")
-  local file = assert(io.open(PATH, "w"))
-  file:write("return ", write.value({ step = n, state = world:save() }), "\n")
-  file:close()
+  local state = { step = n, state = world:save() }
+  files.write(PATH, "return " .. write.value(state) .. "\n")
 end
 
 local function play(world, from, to)
