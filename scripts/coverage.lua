@@ -3,13 +3,11 @@
 ---   COVERAGE=build/a.marks luajit scripts/plain_busted.lua --coverage spec/steps_spec.lua
 ---   luajit scripts/coverage.lua build/*.marks
 ---
---- Each file of the core is loaded with a mark in front of every statement that begins a line; it
---- notes that the line was run. Lines stay where they are: errors name the same. (A hook of the
---- debug library, as LuaCov sets one, makes the specs eleven times as slow.) What another run has
---- marked before needs no mark any more: COVERAGE_KNOWN names a file with such lines. When the
---- specs are over, the lines that were run are written. The second command adds up what several
---- runs have written: it prints the files with lines that were never run, these lines, and the
---- total.
+--- With --coverage each file of the core is loaded with a mark in front of every statement that
+--- begins a line; it notes that the line was run. Lines stay where they are: errors name the same.
+--- (A hook of the debug library, as LuaCov sets one, makes the specs eleven times as slow.) The
+--- second command adds up the lines that several runs have written: it prints the files with lines
+--- that were never run, these lines, and the total.
 
 package.path = "./?.lua;" .. package.path
 
@@ -87,6 +85,47 @@ function coverage.readMarks(known, marks)
     local path, line = entry:match("^(.*) (%d+)$")
     known[path] = known[path] or {}
     known[path][tonumber(line)] = true
+  end
+end
+
+--- Marks the lines of the core that are run from now on. Returns a function that writes them to the
+--- file named by COVERAGE, "PATH LINE" for each. Lines in the file named by COVERAGE_KNOWN get no
+--- marks: these cost half of the time where they are many.
+---@return fun()
+function coverage.start()
+  local seen, texts, known = {}, {}, {} -- by path: lines, marked text, lines that need no mark
+  local knownFrom = os.getenv("COVERAGE_KNOWN")
+  if knownFrom then
+    coverage.readMarks(known, knownFrom)
+  end
+
+  -- Instead of the loader of files, for the modules of the library.
+  table.insert(package.loaders, 2, function(name)
+    local path = name:gsub("%.", "/") .. ".lua"
+    local isThere = name:find("^physics%f[%.%z]") and coverage.isCore(path) and io.open(path, "rb")
+    if not isThere then
+      return nil
+    end
+    isThere:close()
+    -- One table for each file: no global of the library's own, and a name that no game would use.
+    local global = "COVERAGE_" .. path:gsub("%W", "_")
+    if not seen[path] then
+      texts[path], seen[path] = coverage.marked(files.read(path), global, known[path])
+    end
+    rawset(_G, global, seen[path])
+    return assert(loadstring(texts[path], "@./" .. path))
+  end)
+
+  return function()
+    local list, target = {}, assert(os.getenv("COVERAGE"), "COVERAGE is not set")
+    for path, lines in pairs(seen) do
+      for line, wasRun in pairs(lines) do
+        list[#list + 1] = wasRun and ("%s %d\n"):format(path, line) or nil
+      end
+    end
+    -- Others may read it at any time: it is there as a whole, or not yet.
+    files.write(target .. ".new", table.concat(list))
+    assert(os.rename(target .. ".new", target))
   end
 end
 

@@ -110,11 +110,34 @@ plays frame-physics lifts 120 x:30
 plays frame-names lifts 120 x:30,x:31
 plays frame-again lifts 120 left:10-100,r:119 x=300
 
+# alone NAME: takes an example out of its folder, as examples/README.md says, and plays half a second.
+alone() {
+  local folder=$PWD/build/alone file
+  rm -rf "$folder" && mkdir -p "$folder"
+  cp -r physics.lua physics "examples/$1.lua" "$folder" || return 1
+  for file in $(sed -n "s/^| \[$1\.lua\].*| //p" examples/README.md | tr -d '`,|'); do
+    mkdir -p "$folder/$(dirname "$file")"
+    cp -r "examples/$file" "$folder/$(dirname "$file")" || return 1
+  done
+  sed -n '/^```lua$/,/^```$/p' examples/README.md | sed "/^\`/d; s/\"platformer\"/\"$1\"/" >"$folder/main.lua"
+  cat >>"$folder/main.lua" <<END
+local frames, update = 0, love.update
+function love.update()
+  frames = frames + 1
+  update(1 / 60)
+  if frames == 30 then love.event.quit() end
+end
+function love.errorhandler(message)
+  io.stderr:write(message, "\n")
+  os.exit(1)
+end
+END
+  love_in "$folder"
+}
 # Whatever else the menu offers, so that no example is forgotten.
 for name in $(sed -n 's/^ *{ name = "\([a-z]*\)".*/\1/p' examples/menu.lua); do
-  if ! ls "$pictures/$name"*.png >/dev/null 2>&1; then
-    plays "$name" "$name" 240 ""
-  fi
+  ls "$pictures/$name"*.png >/dev/null 2>&1 || plays "$name" "$name" 240 ""
+  check "$name runs out of its folder" alone "$name"
 done
 
 for picture in "$pictures"/*.png; do
@@ -146,34 +169,6 @@ touch "$copy/examples/say.txt"
 check "say.txt is --say" says "example topdown started" in_copy --frames=2
 check "an argument goes before start.txt" \
   says "example lifts started" in_copy --example=lifts --frames=2
-
-# alone NAME: takes an example out of its folder, as examples/README.md says, and plays half a second.
-alone() {
-  local folder=$PWD/build/alone file
-  rm -rf "$folder" && mkdir -p "$folder"
-  cp -r physics.lua physics "examples/$1.lua" "$folder" || return 1
-  for file in $(sed -n "s/^| \[$1\.lua\].*| //p" examples/README.md | tr -d '`,|'); do
-    mkdir -p "$folder/$(dirname "$file")"
-    cp -r "examples/$file" "$folder/$(dirname "$file")" || return 1
-  done
-  sed -n '/^```lua$/,/^```$/p' examples/README.md | sed "/^\`/d; s/\"platformer\"/\"$1\"/" >"$folder/main.lua"
-  cat >>"$folder/main.lua" <<END
-local frames, update = 0, love.update
-function love.update()
-  frames = frames + 1
-  update(1 / 60)
-  if frames == 30 then love.event.quit() end
-end
-function love.errorhandler(message)
-  io.stderr:write(message, "\n")
-  os.exit(1)
-end
-END
-  love_in "$folder"
-}
-for name in $(sed -n 's/^ *{ name = "\([a-z]*\)".*/\1/p' examples/menu.lua); do
-  check "$name runs out of its folder" alone "$name"
-done
 
 # An example that fails has to be seen here, at once and not when the time is over.
 fails() {

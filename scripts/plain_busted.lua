@@ -7,7 +7,7 @@
 --   [--coverage] SPEC...
 --
 -- Prints what failed, and a line of counts. `--coverage` marks the lines of the core that are
--- run (scripts/coverage_marks.lua). As with busted every file loads the library anew, unless it was
+-- run (scripts/coverage.lua). As with busted every file loads the library anew, unless it was
 -- loaded before the specs; specs are named by all the `describe` around them, and a tag stands in
 -- such a name, as in #slow. The module lists what is not run, files and specs by name, with
 -- reasons: spec/gopher/left_out.lua.
@@ -329,7 +329,7 @@ require("spec.support.pairs")
 if os.getenv("PHYSICS_LUA") then
   dofile("scripts/interpreter.lua")
 end
-local marks = options["--coverage"] and require("scripts.coverage_marks")
+local writeMarks = options["--coverage"] and require("scripts.coverage").start()
 for _, path in ipairs(files) do
   if LEFT_OUT.files[path] then
     leaveOut(path, LEFT_OUT.files[path])
@@ -337,8 +337,8 @@ for _, path in ipairs(files) do
     runFile(path)
   end
 end
-if marks then
-  marks.write()
+if writeMarks then
+  writeMarks()
 end
 print(("%d passed, %d failed, %d left out"):format(count.passed, count.failed, count.leftOut))
 os.exit(count.failed == 0 and 0 or 1)

@@ -68,15 +68,12 @@ function publish.left(state)
   local release = state.version:match("^%d+%.%d+%.%d+$")
   need(release, "physics.lua: _VERSION is " .. state.version .. ", not that of a release")
   local first = state.changelog:match("\n## ([^\n]+)")
-  need(
-    release and first:find("^" .. release:gsub("%.", "%%.") .. " %- %d%d%d%d%-%d%d%-%d%d$"),
-    "CHANGELOG.md: begin with the version and its date, not with " .. first
-  )
+  local dated = "^" .. (release or ""):gsub("%.", "%%.") .. " %- %d%d%d%d%-%d%d%-%d%d$"
+  local isDated = release and first:find(dated)
+  need(isDated, "CHANGELOG.md: begin with the version and its date, not with " .. first)
   local tag = "v" .. (release or "X.Y.Z")
-  need(
-    release and ("\n" .. state.tags):find("\n" .. tag .. "\n", 1, true),
-    "git: the last commit needs the tag " .. tag
-  )
+  local isTagged = release and ("\n" .. state.tags):find("\n" .. tag .. "\n", 1, true)
+  need(isTagged, "git: the last commit needs the tag " .. tag)
   return left
 end
 
