@@ -360,8 +360,8 @@ function drift.start(b, dt)
 end
 
 --- Takes the drift off the velocities again, after a step. The body's own velocity becomes the
---- middle one of three: its speed at the end of the step, its own velocity, and that with the change
---- of speed in the step.
+--- middle one of three: its speed at the end of the step, its own velocity, and that with the
+--- change of speed in the step.
 function drift.takeOff(b)
   local work = b.drifts
   for n = 1, b.driftedCount do
