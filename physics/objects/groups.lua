@@ -17,7 +17,8 @@ local groups = {}
 
 local huge, max, min = math.huge, math.max, math.min
 
-local FEW = 64 -- groups up to this size are counted each time
+-- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
+local FEW = 64
 
 -- Returns a record of a group of which nothing is known yet.
 local function newRecord(name, source)
@@ -31,12 +32,14 @@ local function newRecord(name, source)
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
     -- `newKeys` and `newCount`: what it holds now (see compareAll).
-    changed = {}, -- the places that hold another object now, in order,
+    gaps = {}, -- the places whose object has gone, so that those behind it have moved up, in order,
+    gapCount = 0,
+    changed = {}, -- the other places that hold another object now, when these gaps are closed,
     changedCount = 0,
     found = {}, -- the slots of those objects,
     foundCount = 0,
-    looked = {}, -- by place: a look has taken it over since the last update (see registry)
-    firstLooked = huge, -- the first one
+    looked = {}, -- by object: a look has taken it over since the last update (see registry)
+    firstLooked = huge, -- the first place of one
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     isPlain = true, -- none of its objects has a metatable
@@ -126,39 +129,65 @@ end
 
 -- What has changed --------------------------------------------------------------------------------
 
--- Finds under which keys a group holds objects now, if it has changed from place `n` on.
-local function readKeys(record, n)
+-- Returns the place in the list of an object that was expected at place n, and that the next object
+-- of the group follows there: those before it have gone. Else 0.
+local function placeBehind(b, record, n, object, nextObject)
+  local slot = b.slotOf[object]
+  local at = slot and b.group[slot] == record and b.seat[slot] or 0
+  local isNear = at > n and at <= n + FEW
+  return isNear and rawequal(record.list[at + 1], nextObject) and at or 0
+end
+
+-- Lists the gaps, and the places that hold another object than before; for an update, also those
+-- that a look has taken over. Finds how many objects a group holds under the numbers from 1 on.
+local function listChanges(b, record, first, isLook)
+  local source, list, changed, gaps = record.source, record.list, record.changed, record.gaps
+  local looked = not isLook and record.firstLooked < huge and record.looked
+  local n, count, gap, object = first, 0, 0, rawget(source, first)
+  while object ~= nil do
+    local nextObject = rawget(source, n + 1)
+    if not rawequal(object, list[n + gap]) then
+      for m = n + gap, placeBehind(b, record, n + gap, object, nextObject) - 1 do
+        gap = gap + 1
+        gaps[gap] = m
+      end
+    end
+    if not rawequal(object, list[n + gap]) or looked and looked[object] then
+      count = count + 1
+      changed[count] = n
+    end
+    n, object = n + 1, nextObject
+  end
+  record.gapCount, record.foundCount, record.newCount = gap, count, n - 1
+  for at = n, record.count - gap do
+    count = count + 1
+    changed[count] = at
+  end
+  record.changedCount = count
+end
+
+-- Finds what has changed in a group from place `first` on. All has if there are other keys, or the
+-- group itself has another place.
+local function readChanges(b, record, first, isAll, isLook)
   local source = record.source
   if record.count == 0 then
     record.direct = check.isObject(source) -- it may have been filled since it was first seen
   end
   record.newKeys, record.newCount = false, 1
   if not record.direct then
-    while rawget(source, n) ~= nil do
-      n = n + 1
-    end
-    record.newCount = n - 1
-    if hasOthers(record, n - 1) then
+    listChanges(b, record, first, isLook)
+    if hasOthers(record, record.newCount) then
       record.newKeys = sortedKeys(source, check.place(record.name))
       record.newCount = #record.newKeys
     end
   end
-end
-
--- Lists the places that hold another object than before; all if what was there has another place or
--- key now. For an update, also those that a look has taken over.
-local function listChanges(record, isAll, first, isLook)
-  local source, list, changed, count = record.source, record.list, record.changed, 0
-  local looked = record.looked
-  record.foundCount = 0
-  isAll = isAll or record.keys or record.newKeys or record.direct
-  for n = isAll and 1 or first, max(record.count, record.newCount) do
-    if isAll or not rawequal(source[n], list[n]) or looked[n] and not isLook then
-      count = count + 1
-      changed[count], record.foundCount = n, n <= record.newCount and count or record.foundCount
+  if isAll or record.keys or record.newKeys or record.direct then
+    record.gapCount, record.foundCount = 0, record.newCount
+    record.changedCount = max(record.count, record.newCount)
+    for n = 1, record.changedCount do
+      record.changed[n] = n
     end
   end
-  record.changedCount = count
 end
 
 --- Returns whether there are other groups than those that were seen last, or in another order.
@@ -196,16 +225,18 @@ end
 
 --- Compares the groups with what was read last. Returns whether anything has changed. (A group with
 --- another place gets other ranks, so all of it is read.)
-function groups.compareAll(records, isLook)
+function groups.compareAll(b, records, isLook)
   local isAny = false
   for index, record in ipairs(records) do
     local isOther = record.index ~= index
     local change = isOther and 1 or groups.firstChange(record) or huge ---@type number
-    change = isLook and change or min(change, record.firstLooked)
-    record.changedCount, record.newKeys, record.newCount = 0, record.keys, record.count
+    local first = min(change, record.firstLooked)
+    record.firstLooked = isLook and first or record.firstLooked
+    change = isLook and change or first
+    record.changedCount, record.foundCount, record.gapCount = 0, 0, 0
+    record.newKeys, record.newCount = record.keys, record.count
     if change < huge then
-      readKeys(record, record.keys and 1 or change)
-      listChanges(record, isOther, change, isLook)
+      readChanges(b, record, record.keys and 1 or change, isOther, isLook)
       isAny = true
     end
   end
