@@ -129,39 +129,43 @@ end
 
 -- What has changed --------------------------------------------------------------------------------
 
--- Returns the place in the list of an object that was expected at place n, and that the next object
--- of the group follows there: those before it have gone. Else 0.
-local function placeBehind(b, record, n, object, nextObject)
-  local slot = b.slotOf[object]
-  local at = slot and b.group[slot] == record and b.seat[slot] or 0
-  local isNear = at > n and at <= n + FEW
-  return isNear and rawequal(record.list[at + 1], nextObject) and at or 0
+-- Returns the place in the list of the object at place n of a group, which was expected at `at`, and
+-- lists the gaps before it, if it is near, and the next object of the group follows it there, too.
+-- Else returns `at`.
+local function passGaps(b, record, n, at, object)
+  local slot, gaps = b.slotOf[object], record.gaps
+  local behind = slot and b.group[slot] == record and b.seat[slot] or 0
+  local isNear = behind > at and behind <= at + FEW
+  if not (isNear and rawequal(record.list[behind + 1], rawget(record.source, n + 1))) then
+    return at
+  end
+  for gap = at, behind - 1 do
+    gaps[gap - n + 1] = gap
+  end
+  return behind
 end
 
 -- Lists the gaps, and the places that hold another object than before; for an update, also those
 -- that a look has taken over. Finds how many objects a group holds under the numbers from 1 on.
 local function listChanges(b, record, first, isLook)
-  local source, list, changed, gaps = record.source, record.list, record.changed, record.gaps
+  local source, list, changed = record.source, record.list, record.changed
   local looked = not isLook and record.firstLooked < huge and record.looked
-  local n, count, gap, object = first, 0, 0, rawget(source, first)
+  local n, at, count, object = first, first, 0, rawget(source, first)
   while object ~= nil do
-    local nextObject = rawget(source, n + 1)
-    if not rawequal(object, list[n + gap]) then
-      for m = n + gap, placeBehind(b, record, n + gap, object, nextObject) - 1 do
-        gap = gap + 1
-        gaps[gap] = m
+    if looked or not rawequal(object, list[at]) then
+      at = passGaps(b, record, n, at, object)
+      if looked and looked[object] or not rawequal(object, list[at]) then
+        count = count + 1
+        changed[count] = n
       end
     end
-    if not rawequal(object, list[n + gap]) or looked and looked[object] then
-      count = count + 1
-      changed[count] = n
-    end
-    n, object = n + 1, nextObject
+    n, at = n + 1, at + 1
+    object = rawget(source, n)
   end
-  record.gapCount, record.foundCount, record.newCount = gap, count, n - 1
-  for at = n, record.count - gap do
+  record.gapCount, record.foundCount, record.newCount = at - n, count, n - 1
+  for place = n, record.count - record.gapCount do
     count = count + 1
-    changed[count] = at
+    changed[count] = place
   end
   record.changedCount = count
 end
