@@ -99,8 +99,9 @@ end
 
 --- Returns the place from which on a group differs from what was read last; nil: it does not. (The
 --- comparison is raw, since a game's objects may be "equal" by a metamethod. What a group inherits
---- is none of its objects, so it differs, too; and to index costs half of `rawget`.)
-function groups.firstChange(record)
+--- is none of its objects, so it differs, too; and to index costs half of `rawget`.) `isShort`: in a
+--- group that has numbers only, other keys are not looked for: all of it would be counted.
+function groups.firstChange(record, isShort)
   if record.direct then
     return nil
   end
@@ -117,6 +118,9 @@ function groups.firstChange(record)
     if not rawequal(source[keys and keys[n] or n], list[n]) then
       return n
     end
+  end
+  if isShort and not keys then
+    return rawget(source, count + 1) ~= nil and count + 1 or nil
   end
   return hasOthers(record, count) and count + 1 or nil
 end

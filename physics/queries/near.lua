@@ -9,9 +9,10 @@
 -- the next step, and changes no result. So the grid knows all objects.
 --
 -- A write leaves no trace, so each query compares all that moves. Groups of many objects of which
--- none moves are compared by the first query after an update, `add`, `remove` or `refresh`. With
--- more than `FEW` movers, only that query compares anything. What is found becomes a *catch*:
--- columns by place in it. What a query keeps of that becomes its list.
+-- none moves are compared by the first query after an update, `add`, `remove` or `refresh`; so are
+-- new keys of a group, other than the next number. With more than `FEW` movers, only that query
+-- compares anything. The objects that are found become a *catch*: columns by place in it. Those of
+-- them that a query keeps become its list.
 --
 -- Reads the grid, and position, size and filter of static objects; writes fat boxes and the grid.
 
