@@ -1,6 +1,6 @@
 ---@diagnostic disable
---- Compares the game's groups with what was seen of them last: in which places they differ, and
---- which keys they have.
+--- Compares the game's groups with their last records: in which places they differ, and which keys
+--- they have.
 --
 -- As long as nothing has changed, that is one comparison an object. Nothing follows the order of
 -- `pairs`: groups come in the order of `order`, then by name; objects by key; numbers before
@@ -31,7 +31,7 @@ local function newRecord(name, source)
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
-    -- `newKeys` and `newCount`: what it holds now (see compareAll).
+    -- `newKeys` and `newCount`: its present keys and objects (see compareAll).
     gaps = {}, -- the places whose object has gone, so that those behind it have moved up, in order,
     gapCount = 0,
     changed = {}, -- the other places that hold another object now, when these gaps are closed,
@@ -97,10 +97,10 @@ local function hasOthers(record, count)
   return n ~= count
 end
 
---- Returns the place from which on a group differs from what was read last; nil: it does not. (The
---- comparison is raw, since a game's objects may be "equal" by a metamethod. What a group inherits
---- is none of its objects, so it differs, too; and to index costs half of `rawget`.) `isShort`: in a
---- group that has numbers only, other keys are not looked for: all of it would be counted.
+--- Returns the first place in which a group differs from its record, nil: in none. The comparison
+--- is raw, since a game's objects may be "equal" by a metamethod. A group owns no object that it
+--- inherits, so it differs, too; and to index costs half of `rawget`. `isShort`: in a group that
+--- has numbers only, other keys are not looked for, since that counts all its objects.
 function groups.firstChange(record, isShort)
   if record.direct then
     return nil
@@ -131,11 +131,10 @@ function groups.memberAt(record, n)
   return record.direct and record.source or rawget(record.source, key), key
 end
 
--- What has changed --------------------------------------------------------------------------------
+-- Changes -----------------------------------------------------------------------------------------
 
--- Returns the place in the list of the object at place n of a group, which was expected at `at`, and
--- lists the gaps before it, if it is near, and the next object of the group follows it there, too.
--- Else returns `at`.
+-- Returns the place in the list of the object at place n of a group, which was expected at `at`,
+-- and lists the gaps before it. If that is not near, or another object follows there, returns `at`.
 local function passGaps(b, record, n, at, object)
   local slot, gaps = b.slotOf[object], record.gaps
   local behind = slot and b.group[slot] == record and b.seat[slot] or 0
@@ -174,8 +173,8 @@ local function listChanges(b, record, first, isLook)
   record.changedCount = count
 end
 
--- Finds what has changed in a group from place `first` on. All has if there are other keys, or the
--- group itself has another place.
+-- Finds the changes in a group from place `first` on. All places have changed if there are other
+-- keys, or the group itself has another place.
 local function readChanges(b, record, first, isAll, isLook)
   local source = record.source
   if record.count == 0 then
@@ -208,7 +207,7 @@ function groups.haveChanged(self, objects)
     end
     n = n + 1
   end
-  return isOther or n ~= self.groupCount
+  return isOther or n ~= #self.groups
 end
 
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.
@@ -231,7 +230,7 @@ function groups.read(self, objects)
   return records, byName
 end
 
---- Compares the groups with what was read last. Returns whether anything has changed. (A group with
+--- Compares the groups with their records. Returns whether anything has changed. (A group with
 --- another place gets other ranks, so all of it is read.)
 function groups.compareAll(b, records, isLook)
   local isAny = false

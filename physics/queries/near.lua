@@ -1,11 +1,11 @@
 ---@diagnostic disable
 --- Finds the objects near a place or a line, as the game's tables are now, not as the last step
---- left them. It changes no result: what the game writes and takes back before the next update has
---- never happened.
+--- left them. It changes no result: a value that the game writes and takes back before the next
+--- update has never been there.
 --
 -- It asks the grid of the world, in which everything has a *fat box* around its place. A query
--- first takes over what has come and gone (see objects/registry), without reading it. Then it
--- enlarges the fat boxes of what the game has moved out of them: a larger one is looked up anew by
+-- first takes over new and missing objects (see objects/registry), without reading them. Then it
+-- enlarges the fat boxes that the game has moved objects out of: a larger one is looked up anew by
 -- the next step, and changes no result. So the grid knows all objects.
 --
 -- A write leaves no trace, so each query compares all that moves. Groups of many objects of which
@@ -55,7 +55,7 @@ local COLUMNS = {
   "entry", -- scratch of queries
 }
 
--- What the game has changed -----------------------------------------------------------------------
+-- Changes by the game -----------------------------------------------------------------------------
 
 -- Errors: an object of which place, size or `active` cannot be used.
 local function checkPlace(b, i)
@@ -105,7 +105,7 @@ local function file(b, i)
   b.placed[i] = 1
 end
 
--- Takes over new groups, and what is in them. What stands still is filed here.
+-- Takes over new groups, and the objects in them. Static ones are filed here.
 local function lookAtGroups(b, world)
   settings.applyOrder(world)
   if b.isSeen and not registry.hasChanged(b.registry, world.objects) then
@@ -123,7 +123,7 @@ local function lookAtGroups(b, world)
   end
 end
 
--- Calls `visit(b, i)` for what can move and does not stand where it was read or written.
+-- Calls `visit(b, i)` for movable objects that do not stand where they were read or written.
 local function lookAtPlaces(b, visit)
   local movers, objects, written, size, placed = b.movers, b.object, b.written, b.size, b.placed
   for n = 1, b.moverCount do
@@ -151,7 +151,7 @@ local function checkMissed(b, i)
   end
 end
 
---- Begins a query: looks at what has changed, and returns an empty catch, with its filter.
+--- Begins a query: takes over the changes, and returns an empty catch, with its filter.
 --- Errors: those of an update, a group, key or place that cannot be used.
 function near.begin(world, wanted)
   local b = world._bodies
@@ -255,7 +255,8 @@ function near.get(c, object, where, name)
   return n
 end
 
---- Reads what decides what an object of a catch can meet. Errors: a field that cannot be used.
+--- Reads the fields that decide which objects one of a catch can meet. Errors: one of them cannot
+--- be used.
 function near.readFilter(c, n)
   local b, object = c.bodies, c.object[n]
   local i = b.slotOf[object]
@@ -271,7 +272,7 @@ function near.readFilter(c, n)
 end
 
 -- Results -----------------------------------------------------------------------------------------
--- `found[1..count]` of a catch are places in it: what a query keeps.
+-- `found[1..count]` of a catch are the places in it that a query keeps.
 
 --- Returns whether the filter of a catch accepts the group of an object in it. One that is a
 --- function is asked later.
@@ -288,7 +289,7 @@ function near.accepts(c, n)
   return type(c.filter) ~= "function" or c.filter(c.object[n])
 end
 
---- Ends a query: writes what it has kept and the filter accepts into `out`, in the order of column
+--- Ends a query: writes the kept objects that the filter accepts into `out`, in the order of column
 --- `first`, then of the world; and the values of that column into `values`, if it is a list.
 ---@return physics.Object[] objects
 ---@return integer count
@@ -311,7 +312,7 @@ function near.publish(c, count, first, out, values)
   return out, n
 end
 
---- Returns the first of what is kept that the filter accepts, by `entry`, then in the order of the
+--- Returns the first kept object that the filter accepts, by `entry`, then in the order of the
 --- world; nil: none.
 function near.first(c, count)
   sort.by(c.found, count, c.entry, c.rank, c.rank)
