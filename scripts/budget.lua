@@ -13,14 +13,14 @@ local BUDGET = {
   { "physics/memory", 889 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 558 },
-  { "physics/objects", 1258 },
+  { "physics/objects", 1315 },
   { "physics/overlaps", 793 },
-  { "physics/queries", 855 },
+  { "physics/queries", 854 },
   { "physics/sleep", 85 },
   { "physics/solver", 3407 },
   { "physics/space", 499 },
   { "physics/state", 1020 },
-  { "physics/world", 1426 },
+  { "physics/world", 1429 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
