@@ -78,12 +78,9 @@ local function isFiled(b, i)
     return true -- it has gone
   end
   checkPlace(b, i)
-  return object.active == false
-    or b.placed[i] ~= 0
-      and object.x >= fatLow[k]
-      and object.y >= fatLow[k + 1]
-      and object.x + object.width <= fatHigh[k]
-      and object.y + object.height <= fatHigh[k + 1]
+  local isInX = object.x >= fatLow[k] and object.x + object.width <= fatHigh[k]
+  local isInY = object.y >= fatLow[k + 1] and object.y + object.height <= fatHigh[k + 1]
+  return object.active == false or b.placed[i] ~= 0 and isInX and isInY
 end
 
 -- Puts slot i into the grid where it is now, if it is not there.
@@ -129,17 +126,12 @@ local function lookAtPlaces(b, visit)
   for n = 1, b.moverCount do
     local i = movers[n]
     local object, k = objects[i], 2 * i
-    if
-      object
-      and (
-        object.x ~= written[k]
-        or object.y ~= written[k + 1]
-        or object.width ~= size[k]
-        or object.height ~= size[k + 1]
-        or placed[i] == 0
-      )
-    then
-      visit(b, i)
+    if object then
+      local isThere = object.x == written[k] and object.y == written[k + 1]
+      local isSame = isThere and object.width == size[k] and object.height == size[k + 1]
+      if not isSame or placed[i] == 0 then
+        visit(b, i)
+      end
     end
   end
 end
