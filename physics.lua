@@ -65,10 +65,10 @@ function physics.load(settings)
   made = world.new(settings, "load(settings)")
 end
 
--- Makes every method of a world a function of the default world, too.
+-- Makes every method of a world a function of the default world, too, but `load`.
 for _, name in ipairs(keyOrder.sorted(world.methods)) do
   local method = world.methods[name]
-  if type(method) == "function" and name:sub(1, 1) ~= "_" then
+  if type(method) == "function" and name:sub(1, 1) ~= "_" and not physics[name] then
     physics[name] = function(first, ...)
       checkDot(first, name)
       return method(made or default(), first, ...)

@@ -51,12 +51,9 @@ local function addRamps()
   end
 end
 
--- A bumper throws back what touches it, and lights up.
-local function bump(bumper, marble)
-  local dx = marble.x + RADIUS - bumper.x - bumper.radius
-  local dy = marble.y + RADIUS - bumper.y - bumper.radius
-  local length = math.max(1, math.sqrt(dx * dx + dy * dy))
-  marble.vx, marble.vy = marble.vx + dx / length * KICK, marble.vy + dy / length * KICK
+-- A bumper throws back what touches it, and lights up. The normal leads from the marble to it.
+local function bump(bumper, marble, _, _, _, _, _, _, nx, ny)
+  marble.vx, marble.vy = marble.vx - nx * KICK, marble.vy - ny * KICK
   bumper.light, state.bumps = 1, state.bumps + 1
   sparks.burst(marble, 6)
 end

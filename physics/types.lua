@@ -101,15 +101,18 @@
 --- px, >= 0, default 0. An object that does not jump stays on ground that drops by at most this
 --- much: down stairs.
 ---@field snap? number
+--- >= 0, default none. The steepest slope on which a box walks: px up for each px across. A steeper
+--- one is a wall, along which it falls.
+---@field maxSlope? number
 --- default false. On slopes `vx` is the speed along the ground. `false`: it is the speed along x
 --- everywhere.
 ---@field constantSpeed? boolean
 --- default none. Called once when a contact starts, also with a sensor. `side` is the side of
 --- `self` that was hit, `speed` the approach speed in px/s. The edge that the two have in common
---- goes from `x1, y1` to `x2, y2`.
----@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
+--- goes from `x1, y1` to `x2, y2`. `nx, ny` is the normal, away from `other`.
+---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number, nx: number, ny: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
----@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number)
+---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number, nx: number, ny: number)
 --- default none. Called once when a contact ends, also when one of the two is removed or
 --- deactivated.
 ---@field onEnd? fun(self: physics.Object, other: physics.Object, side: physics.Side)
@@ -222,9 +225,9 @@
 --- that step.
 ---@field onStep? fun(dt: number)
 --- default none. As `onBegin` of an object; `a` comes before `b` in the order of the world.
----@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
+---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number, nx: number, ny: number)
 --- default none. As `onStay` of an object; `a` comes before `b` in the order of the world.
----@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
+---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number, nx: number, ny: number)
 --- default none. As `onEnd` of an object; `a` comes before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. As `onCrush` of an object; `a` comes before `b` in the order of the world.
@@ -283,9 +286,9 @@
 --- that step.
 ---@field onStep? fun(dt: number)
 --- default none. As `onBegin` of an object; `a` comes before `b` in the order of the world.
----@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
+---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number, nx: number, ny: number)
 --- default none. As `onStay` of an object; `a` comes before `b` in the order of the world.
----@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
+---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number, nx: number, ny: number)
 --- default none. As `onEnd` of an object; `a` comes before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. As `onCrush` of an object; `a` comes before `b` in the order of the world.

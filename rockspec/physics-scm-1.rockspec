@@ -91,6 +91,7 @@ build = {
     ["physics.overlaps.heap"] = "physics/overlaps/heap.lua",
     ["physics.overlaps.overlap"] = "physics/overlaps/overlap.lua",
     ["physics.overlaps.patience"] = "physics/overlaps/patience.lua",
+    ["physics.queries.load"] = "physics/queries/load.lua",
     ["physics.queries.move"] = "physics/queries/move.lua",
     ["physics.queries.near"] = "physics/queries/near.lua",
     ["physics.queries.query"] = "physics/queries/query.lua",

@@ -10,21 +10,21 @@ local files = require("spec.support.files")
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 625 },
-  { "physics/contacts", 371 },
-  { "physics/fields", 658 },
+  { "physics/broadphase", 628 },
+  { "physics/contacts", 379 },
+  { "physics/fields", 659 },
   { "physics/maps", 2637 },
-  { "physics/memory", 889 },
+  { "physics/memory", 891 },
   { "physics/motion", 1044 },
-  { "physics/narrowphase", 558 },
+  { "physics/narrowphase", 576 },
   { "physics/objects", 1307 },
   { "physics/overlaps", 793 },
-  { "physics/queries", 846 },
+  { "physics/queries", 987 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3407 },
+  { "physics/solver", 3417 },
   { "physics/space", 499 },
-  { "physics/state", 1020 },
-  { "physics/world", 1429 },
+  { "physics/state", 1021 },
+  { "physics/world", 1440 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -32,7 +32,7 @@ local GROUPS = {
     "Motion",
     "vx vy ax ay gravity gravityX airFriction drag maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
   },
-  { "Walking and riding", "nudge snap constantSpeed carry surfaceSpeed" },
+  { "Walking and riding", "nudge snap maxSlope constantSpeed carry surfaceSpeed" },
   { "Contacts", "touching mass pushable strength friction restitution mask hits oneWay" },
   { "Events", "onBegin onStay onEnd onCrush canCollide" },
 }

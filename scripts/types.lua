@@ -145,7 +145,9 @@ function types.text()
   end
   add(lines, "local default = {}")
   for _, entry in ipairs(docstrings.functions(docstrings.SOURCES[3])) do
-    addFunction(lines, entry)
+    if entry.name ~= "load" then -- (`load` of the module is another function)
+      addFunction(lines, entry)
+    end
   end
   return HEAD .. table.concat(lines, "\n") .. "\n"
 end

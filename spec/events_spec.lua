@@ -499,3 +499,139 @@ describe("onCrush", function()
     "box.vx - box.vx == 0",
   })
 end)
+
+describe("onBegin, onStay: the normal", function()
+  local root = math.sqrt(0.5)
+
+  -- Runs a world until the mover has begun a contact, and stayed in it for a step if `stays`.
+  -- Returns the normals that mover and other have heard: x, y, other's x, y.
+  local function hear(name, gravity, mover, other, state)
+    local world, heard = physics.newWorld({ gravity = gravity }), {}
+    mover[name] = function(_, _, _, _, ...)
+      heard.x, heard.y = select(name == "onBegin" and 5 or 1, ...)
+    end
+    other[name] = function(_, _, _, _, ...)
+      heard.ox, heard.oy = select(name == "onBegin" and 5 or 1, ...)
+    end
+    world:add("movers", mover)
+    world:add("others", other)
+    for n = 1, 60 do
+      if n == state then
+        world:restore(world:save())
+      end
+      world:update(DT)
+      if heard.x then
+        return heard
+      end
+    end
+  end
+
+  local function ballAt(x, y, fields)
+    fields.x, fields.y, fields.radius = x - 8, y - 8, 8
+    fields.width, fields.height = 16, 16
+    return fields
+  end
+
+  local SCENES = {
+    {
+      "a box at a wall",
+      -1,
+      0,
+      function()
+        return 0, newBox(0, 0, { vx = 120 }), newBox(30, 0, { static = true })
+      end,
+    },
+    {
+      "a box below a ceiling",
+      0,
+      1,
+      function()
+        return 0, newBox(0, 40, { vy = -120 }), newBox(0, 10, { static = true })
+      end,
+    },
+    {
+      "a ball at a round bumper",
+      -0.8,
+      -0.6,
+      function()
+        local bumper = ballAt(100, 100, { static = true })
+        return 0, ballAt(100 - 0.8 * 46, 100 - 0.6 * 46, { vx = 240, vy = 180 }), bumper
+      end,
+    },
+    {
+      "a ball that bounces off a bumper",
+      -0.8,
+      -0.6,
+      function()
+        local bumper = ballAt(100, 100, { static = true, restitution = 1 })
+        return 0, ballAt(100 - 0.8 * 46, 100 - 0.6 * 46, { vx = 240, vy = 180 }), bumper
+      end,
+    },
+    {
+      "a ball at a corner",
+      -root,
+      -root,
+      function()
+        return 0, ballAt(60, 60, { vx = 200, vy = 200 }), newBox(100, 100, { static = true })
+      end,
+    },
+    {
+      "a box on a slope",
+      -root,
+      -root,
+      function()
+        local slope = { x = 0, y = 100, width = 100, height = 100, slope = "right", static = true }
+        return 800, newBox(20, 130), slope
+      end,
+    },
+    {
+      "a box beyond the crest of a slope",
+      0,
+      -1,
+      function()
+        local slope = { x = 0, y = 100, width = 100, height = 100, slope = "right", static = true }
+        return 800, newBox(95, 70), slope
+      end,
+    },
+  }
+  for _, scene_ in ipairs(SCENES) do
+    local name, nx, ny, make = scene_[1], scene_[2], scene_[3], scene_[4]
+    for _, event in ipairs({ "onBegin", "onStay" }) do
+      local bounces = name:find("bounces", 1, true)
+      for state = 1, (event == "onStay" and bounces) and 0 or 16, 15 do
+        it(("leads away from the other object: %s, %s, %d"):format(name, event, state), function()
+          local gravity, mover, other = make()
+          local heard = hear(event, gravity, mover, other, state)
+          assert.near(nx, heard.x, 1e-9)
+          assert.near(ny, heard.y, 1e-9)
+          assert.are.equal(-heard.x, heard.ox)
+          assert.are.equal(-heard.y, heard.oy)
+          for _, value in pairs(heard) do
+            assert.are_not.equal(-math.huge, 1 / value) -- no -0
+          end
+        end)
+      end
+    end
+  end
+
+  it("is told after a restore of events that wait", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local ball = world:add("balls", ballAt(60, 60, { vx = 200, vy = 200 }))
+    world:add("walls", newBox(100, 100, { static = true }))
+    ball.onBegin = function()
+      error("on purpose")
+    end
+    local isWell = true
+    while isWell do
+      isWell = pcall(world.update, world, DT)
+    end
+    local x, y
+    function world.onBegin(_, _, _, _, _, _, _, _, nx, ny)
+      x, y = nx, ny
+    end
+    world:restore(world:save())
+    world:update(DT)
+    assert.near(-root, x, 1e-9)
+    assert.near(-root, y, 1e-9)
+  end)
+end)

@@ -48,7 +48,7 @@ local VALUES = {
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks. (Slopes are
 -- refused, and the scene has no stairs for `snap`.)
-local OTHERS = "x y width height area vx vy static carry touching snap slope constantSpeed"
+local OTHERS = "x y width height area vx vy static carry touching snap slope maxSlope constantSpeed"
   .. " onBegin onStay onEnd onCrush "
 
 -- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets

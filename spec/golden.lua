@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "47494757682006",
-  games5000001 = "701400723",
-  games5000004 = "1426215847",
+  games5000001 = "1632804909",
+  games5000004 = "1924541268",
   games5000009 = "1381449390",
   wild = "1552022577",
 }

@@ -122,6 +122,15 @@ local ROWS = {
     { y = 200, x = 140 },
   },
   {
+    "slides down a slope that is steeper than its maxSlope, and jumps off it",
+    { wallSlide = 60, wallJump = 200 },
+    { { "slopes", 140, 0, 100, 400, { static = true, slope = "right" } } },
+    "right:1-60 jump:40-60",
+    45,
+    { vx = -200, moods = " air wall air" },
+    { y = 160, x = 168, maxSlope = 2 },
+  },
+  {
     "does not slide if it is not steered",
     { wallSlide = 60 },
     { WALL },

@@ -36,8 +36,8 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 
 -- path, the value that is put there, what the message says
 local ROWS = {
-  { "version", 0, "state.version must be 7, got 0: an older version of the library wrote it" },
-  { "version", 8, "state.version must be 7, got 8: a newer version of the library wrote it" },
+  { "version", 0, "state.version must be 8, got 0: an older version of the library wrote it" },
+  { "version", 9, "state.version must be 8, got 9: a newer version of the library wrote it" },
   { "version", 2, "the state is damaged: 1.0.0 has written it" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
@@ -167,7 +167,7 @@ describe("world:restore, what is no state", function()
     for text, value in pairs({
       ["state must be a table, got nil"] = false,
       ['state must be a table, got "state"'] = "state",
-      ["state.version must be 7, got nil: this is no state"] = {},
+      ["state.version must be 8, got nil: this is no state"] = {},
     }) do
       refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
       assert.are.equal(hash, world:hash())

@@ -8,6 +8,7 @@
 --
 -- `keys` says what is held: left, right, up, down, jump, dash. All that the hero remembers is in
 -- player.hero, as plain values: with `world.ownFields = { "hero" }` it is part of each saved state.
+-- With `player.maxSlope = 1.5` steeper slopes are walls, which it slides down and jumps off, too.
 -- The settings are there, too, so that an ability that is found later is `player.hero.dash = 600`.
 
 local hero = {}

@@ -74,6 +74,11 @@ function filter.areSolid(b, i, j)
   return not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
 end
 
+--- Returns whether slot i or slot j is a sensor: the two press nothing.
+function filter.isSensed(b, i, j)
+  return b.sensor[i] or b.sensor[j]
+end
+
 --- Returns whether an object that is not dynamic, or any object (`isAny`), can be in the way of
 --- another object: it is solid for that on every side.
 function filter.blocks(b, i, j, isAny)

@@ -35,6 +35,8 @@ events.VALUES = {
   "y1",
   "x2",
   "y2",
+  "nx", -- of `onBegin` and `onStay`: the unit normal, from `b` to `a`
+  "ny",
 }
 
 -- By kind of event: the values that its callback gets.
@@ -78,20 +80,26 @@ local function note(b, kind, i, j, third, side, speed)
   e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
   e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
   e.side[n], e.speed[n] = side, speed + 0.0 -- a float, and not -0, on each Lua
-  e.x1[n], e.y1[n], e.x2[n], e.y2[n] = 0, 0, 0, 0
+  e.x1[n], e.y1[n], e.x2[n], e.y2[n], e.nx[n], e.ny[n] = 0, 0, 0, 0, 0, 0
 end
 
--- Adds its place to the last event, of pair p on `side` of its first object: where the two hit, or
--- where they touch at the end of the step. (If two boxes overlap, the first in the order of the
--- world counts.)
-local function locate(b, p, side)
+-- Adds its place and normal to the last event, of pair p on `side` of its first object: where the
+-- two hit (`isHit`), or where they touch at the end of the step. (If two boxes overlap, the first
+-- in the order of the world counts.)
+local function locate(b, p, side, isHit)
   local e, n, i, j = b.events, b.events.count, b.pairA[p], b.pairB[p]
-  local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
-  if b.hit[p] == 0 and b.rank[j] < b.rank[i] then
-    at, low, high = touch.line(b, j, i, OPPOSITE[side], 1)
-  elseif b.hit[p] == 0 then
-    at, low, high = touch.line(b, i, j, side, 1)
+  local isSwapped = b.rank[j] < b.rank[i]
+  local at, low, high, nx, ny
+  if isHit then
+    local sign = isSwapped and -1 or 1
+    at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
+    nx, ny = sign * b.hitNormalX[p], sign * b.hitNormalY[p]
+  elseif isSwapped then
+    at, low, high, nx, ny = touch.line(b, j, i, OPPOSITE[side], 1)
+  else
+    at, low, high, nx, ny = touch.line(b, i, j, side, 1)
   end
+  e.nx[n], e.ny[n] = nx + 0.0, ny + 0.0
   if constants.AXIS[side] == 0 then
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = at, low, at, high
   else
@@ -124,14 +132,14 @@ local function isHeard(b, i, j)
   return false
 end
 
--- Adds the beginning of a contact of pair p on `side` of its first object, with its place. `leant`:
--- see events.VALUES.
-local function addBegin(b, p, side, speed, leant)
+-- Adds an event of a contact of pair p on `side` of its first object, with its place. `leant`: see
+-- events.VALUES.
+local function addPlaced(b, kind, p, side, speed, leant)
   local e, count = b.events, b.events.count
-  add(b, "onBegin", b.pairA[p], b.pairB[p], side, speed)
+  add(b, kind, b.pairA[p], b.pairB[p], side, speed)
   if e.count > count then
     e.leant[e.count] = leant
-    locate(b, p, side)
+    locate(b, p, side, kind == "onBegin" and b.hit[p] ~= 0)
   end
 end
 
@@ -140,7 +148,7 @@ end
 --- that are hit at once, the one with the wider common edge is hit.)
 function events.begin(b, p, side, speed)
   isHeard(b, b.pairA[p], b.pairB[p])
-  addBegin(b, p, side, speed, b.hit[p] == 0 and 1 or 0)
+  addPlaced(b, "onBegin", p, side, speed, b.hit[p] == 0 and 1 or 0)
 end
 
 --- Notes that a contact of pair p has ended.
@@ -150,7 +158,7 @@ end
 
 --- Notes that the objects of pair p touched and separated within the step.
 function events.bounce(b, p, side, speed)
-  addBegin(b, p, side, speed, 0)
+  addPlaced(b, "onBegin", p, side, speed, 0)
   events.finish(b, p, side)
 end
 
@@ -158,7 +166,7 @@ end
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
   if isHeard(b, i, j) then
-    add(b, "onStay", i, j, side, b.dt)
+    addPlaced(b, "onStay", p, side, b.dt, 0)
   end
 end
 
@@ -224,11 +232,11 @@ end
 -- Each object gets its own side, and the world that of the first object.
 local function tell(e, n, recipient, name, owner)
   local callback, tells = owner[name], TELLS[name]
-  local a, b, side = e.a[n], e.b[n], e.side[n]
+  local a, b, side, nx, ny = e.a[n], e.b[n], e.side[n], e.nx[n], e.ny[n]
   if not callback then
     return
   elseif recipient == 2 then
-    a, b, side = e.b[n], e.a[n], OPPOSITE[side]
+    a, b, side, nx, ny = e.b[n], e.a[n], OPPOSITE[side], 0.0 - nx, 0.0 - ny -- (never -0)
   end
   if tells == "alone" then
     callback(a)
@@ -241,9 +249,9 @@ local function tell(e, n, recipient, name, owner)
     elseif side == AT_TOP then
       y1, y2 = before(y1), before(y2)
     end
-    callback(a, b, SIDES[side], e.speed[n], x1, y1, x2, y2)
+    callback(a, b, SIDES[side], e.speed[n], x1, y1, x2, y2, nx, ny)
   elseif tells == "speed" then
-    callback(a, b, SIDES[side], e.speed[n])
+    callback(a, b, SIDES[side], e.speed[n], nx, ny)
   else
     callback(a, b, SIDES[side])
   end

@@ -121,7 +121,7 @@ end
 function move.run(b, dt)
   path.begin(b)
   if b.hasZones then
-    zones.run(b, dt)
+    zones.run(b, b.awakeList, b.awakeCount, dt * 0.5)
   end
   findFlights(b, dt)
   if b.hasHinders then

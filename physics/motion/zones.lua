@@ -164,12 +164,13 @@ local function turnAll(b, list, count, time)
   end
 end
 
---- Finds the forces of zones on the awake dynamic objects in a step of dt s.
-function zones.run(b, dt)
-  local slots, time = b.zoneList, dt * 0.5
-  turnAll(b, b.awakeList, b.awakeCount, time)
+--- Finds the forces of zones on the bodies in list[1..count], `time` s after the beginning of the
+--- step.
+function zones.run(b, list, count, time)
+  local slots = b.zoneList
+  turnAll(b, list, count, time)
   for n = 1, #slots do
-    act(b, b.awakeList, b.awakeCount, slots[n], time, push)
+    act(b, list, count, slots[n], time, push)
   end
 end
 

@@ -122,7 +122,7 @@ local function face(b, i, j, x, y, t)
   local size, k, m, start = b.size, 2 * i, 2 * j, b.time[j]
   local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
   local ox, oy = path.at(b, m, start, t), path.at(b, m + 1, start, t)
-  return shapes.face(BOX, x, y, w, h, b.shape[j], ox, oy, ow, oh, path.axisOf(b, i))
+  return shapes.face(BOX, x, y, w, h, b.shape[j], ox, oy, ow, oh, touch.axisOf(b, i, j))
 end
 
 -- Whether slot j, of pair p, stops box i, and does not give way.
@@ -163,7 +163,7 @@ local function addFace(b, i, j, x, y, t)
   local gap, faceX, faceY, isEdge = face(b, i, j, x, y, t)
   local m, start, to = 2 * j, b.time[j], b.to
   x, y = x + to[m] - path.at(b, m, start, t), y + to[m + 1] - path.at(b, m + 1, start, t)
-  local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, path.axisOf(b, i))
+  local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, touch.axisOf(b, i, j))
   planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
   return gap >= -2 * EPSILON
 end
@@ -285,10 +285,11 @@ local function clipAll(b)
 end
 
 --- Clips the ways of all boxes that end in a slope, or that a slope squeezes, and settles the
---- bodies that lean on them.
-function clip.run(b, dt)
+--- bodies that lean on them. If bodies have been woken since there were `awakenings`, the step
+--- begins anew: their contacts are not known yet.
+function clip.run(b, dt, awakenings)
   for _ = 1, PASSES do
-    if not clipAll(b) then
+    if b.awakenings ~= awakenings or not clipAll(b) then
       return
     end
     settle.axis(b, 0, dt, true)

@@ -225,7 +225,7 @@ local function solve(b, dt)
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
   if b.walks then
-    clip.run(b, dt)
+    clip.run(b, dt, awakenings)
   end
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)

@@ -350,6 +350,7 @@ function restore.world(world, st)
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   if b.hasZones then
     zones.begin(b, b.movers, b.moverCount) -- where "down" is
+    zones.run(b, b.movers, b.moverCount, 0) -- for `load`
   end
   world._shiftedX, world._shiftedY = st.shiftedX or 0, st.shiftedY or 0
   if layers then

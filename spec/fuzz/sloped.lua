@@ -24,6 +24,7 @@ end
 ---@return table case as case.new
 function sloped.new(seed, steps)
   local made, random, changing = case.new(seed, steps), newRandom(seed + 12345), {}
+  local steep = newRandom(seed + 54321)
   eachAct(made.acts, function(act)
     if act[1] == "write" and (act[3].static ~= nil or act[3].kinematic ~= nil) then
       changing[act[2]] = true
@@ -40,6 +41,7 @@ function sloped.new(seed, steps)
       end
     elseif object and not (object.static or object.kinematic) then
       object.constantSpeed = random:chance(0.2) or nil
+      object.maxSlope = steep:chance(0.3) and steep:between(0, 3) or nil
     end
   end)
   made.closed = nil

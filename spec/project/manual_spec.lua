@@ -31,10 +31,12 @@ describe("the reference", function()
   local all = table.concat(text, "\n")
 
   it("has a heading and an example for every function of the module and of worlds", function()
-    local methods, expected, found = getmetatable(physics.newWorld()).__index, {}, {}
+    local methods, found = getmetatable(physics.newWorld()).__index, {}
+    local expected = { ["world:load"] = 1 }
     for name, value in pairs(physics) do
       if type(value) == "function" then
-        expected[(methods[name] and "world:" or "physics.") .. name] = 1
+        local isOwn = name == "load" or not methods[name] -- (`load` means something else there)
+        expected[(isOwn and "physics." or "world:") .. name] = 1
       end
     end
     local marked = all:gsub("\n## ", "\n\1")
