@@ -133,11 +133,11 @@ local function saveNames(maps, loaded, objects, count)
   end
 end
 
---- Adds to the state `out` what it holds of maps (see state/format). `tables` gets what the same
---- world needs to go back.
-function recall.save(world, out, objects, tables)
+--- Adds to the state `out` its part about maps (see state/format). `tables`, the objects by number,
+--- gets the layers and levels to which the same world goes back.
+function recall.save(world, out, tables)
   local maps = mapsOf(world)
-  saveNames(maps, out.loaded, objects, out.count)
+  saveNames(maps, out.loaded, tables, out.count)
   out.tiles, out.maps, tables.layers, tables.made = {}, {}, {}, {}
   for name, layer in next, maps.here, nil do
     out.tiles[name], tables.layers[name] = snapshotOf(layer), layer

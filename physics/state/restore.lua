@@ -78,8 +78,8 @@ local function match(world, st, named)
     end
     objects[n], taken[object] = object, true
   end)
-  for n = st.count + 1, st.count + st.gone do
-    objects[n] = {}
+  for n = 1, #st.gone do
+    objects[st.count + n] = {}
   end
   return objects, misfit(world, st, named), new
 end
@@ -105,40 +105,54 @@ local function write(owner, row, value, isShared)
   end
 end
 
--- Lists the numbers of the objects that are no mere tiles, or will be none.
-local function listSome(st, objects)
-  local has, some = {}, {}
-  for _, row in format.rows(st) do
-    local list = not format.isOfAll(row) and st.fields[row.name] or NONE
-    for at = 1, #list, 2 do
-      has[list[at]] = true
+-- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and read
+-- as a whole: all but tiles that are in place.
+local function writeBoxes(b, st, objects)
+  local odd, boxes, others, at, m = {}, st.boxes, st.others, 1, 1
+  for n = 1, st.count do
+    local object, i, isTile = objects[n], b.slotOf[objects[n]], others[m] ~= n
+    local isStatic = isTile or others[m + 1]
+    if (object.static or false) ~= isStatic then
+      object.static = isStatic
     end
-  end
-  for n = 1, st.count + st.gone do
-    if has[n] or not check.isMere(objects[n]) then
-      some[#some + 1] = n
+    object.x, object.y = boxes[at], boxes[at + 1]
+    object.width, object.height = boxes[at + 2], boxes[at + 3]
+    if not (isTile and i and format.isTile(b, i, object)) then
+      odd[#odd + 1] = n
     end
+    at, m = at + 4, isTile and m or m + 2
   end
-  return some
+  return odd
 end
 
--- Writes a field of all objects, or of those in `some`. What had left the world gets the fields it
--- had then.
-local function writeField(st, objects, row, some)
+-- Writes a field of all objects, or of those in `odd`.
+local function writeField(st, objects, row, odd)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
-  local isDense = format.isDense(row)
-  for m = 1, some and #some or st.count + (row.isOwn and 0 or st.gone) do
-    local n = some and some[m] or m
-    local object, value = objects[n], nil
-    if isDense then
-      value = list[n] or nil
-    elseif list[at] == n then
+  for m = 1, odd and #odd or st.count do
+    local n, value = odd and odd[m] or m, nil
+    local object = objects[n]
+    if list[at] == n then
       value, at = list[at + 1], at + 2
     end
     if object[name] ~= value then
       write(object, row, value)
     end
   end
+end
+
+-- Writes all fields. What had left the world gets those that it had then. Returns what
+-- `writeBoxes` does.
+local function writeFields(b, st, objects)
+  local odd = writeBoxes(b, st, objects)
+  for _, row in format.rows(st) do
+    writeField(st, objects, row, not row.isOwn and odd)
+  end
+  for n, saved in ipairs(st.gone) do
+    for _, row in ipairs(fields.saved) do
+      write(objects[st.count + n], row, saved[row.name])
+    end
+  end
+  return odd
 end
 
 -- Puts the objects into the game's groups. Groups that are not in the state are emptied.
@@ -169,34 +183,36 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
--- Reads a static object again, if its fields are others.
-local function readStatic(b, i, object)
-  local isStatic = b.kind[i] == STATIC
-  if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
-    read.refresh(b, i)
-  end
-end
-
--- Reads what `update` would not read again: static objects. Also takes over places and velocities
--- of the others, so that what is only elsewhere need not be read anew. (Memory has the rest of it.)
--- Returns the numbers of those that have gone since, but are still known: they have no group yet.
-local function readKnown(b, st, objects)
-  local gone = {}
-  for n = 1, st.count do
-    local object, i = objects[n], b.slotOf[objects[n]]
-    if i and (b.kind[i] == STATIC or object.static) then
-      if b.group[i] then
-        readStatic(b, i, object)
-      else
-        gone[#gone + 1] = n
-      end
-    elseif i then
-      local k, written, velocity = 2 * i, b.written, b.velocity -- (`refresh` may make them grow)
+-- Takes over places and velocities of known objects that can move, so that what is only elsewhere
+-- need not be read anew. (Memory has the rest of it.)
+local function readKnown(b, objects, odd)
+  local written, velocity = b.written, b.velocity
+  for m = 1, #odd do
+    local object = objects[odd[m]]
+    local i = b.slotOf[object]
+    if i and b.kind[i] ~= STATIC and not object.static then
+      local k = 2 * i
       written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
       velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
     end
   end
-  return gone
+end
+
+-- Reads static objects again that have other fields now. (What a query has seen leave is in no group
+-- until all are read.) Lists the slots of all in `b.restored`.
+local function readStatic(b, objects, odd)
+  local slots = {}
+  b.restored = slots
+  for m = 1, #odd do
+    local object = objects[odd[m]]
+    local i, isStatic = b.slotOf[object], object.static or false
+    local wasStatic = i and b.kind[i] == STATIC
+    local isOther = isStatic and wasStatic and readFields.firstOfStatic(b, i, object)
+    if i and b.group[i] and (isOther or isStatic ~= wasStatic) then
+      read.refresh(b, i)
+    end
+    slots[#slots + 1] = b.slotOf[object]
+  end
 end
 
 -- Reads all objects in their old order. If the game has set another `order` since the last step, it
@@ -226,29 +242,35 @@ local function forget(b)
   b.contactCount = 0
 end
 
-local function restoreColumn(b, list, slots, entry)
+local function restoreColumn(b, list, objects, entry)
   local column, width, usual = b[entry[1]], entry[2], entry[3]
-  local last = layout.lastOf(b, entry[1])
+  local slotOf, last, slots = b.slotOf, layout.lastOf(b, entry[1]), b.restored
   local model, y, hint = b[usual], width - 1, entry.hint
   if hint then
     b[hint] = b[hint] or #list > 0
   end
-  for k = width, width * last, width do
-    column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
+  for m = 1, #slots do
+    local k = width * slots[m]
+    if slots[m] <= last then
+      column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
+    end
   end
   for at = 1, #list, 1 + width do
-    local value = entry.isLink and allot.embody(b, slots[list[at + 1]]) or list[at + 1]
-    local k = width * slots[list[at]] -- (`embody` may have moved it, and made the column grow)
+    local value = list[at + 1]
+    value = entry.isLink and allot.embody(b, slotOf[objects[value]]) or value
+    local slot = slotOf[objects[list[at]]] -- (`embody` may have moved it, and made the column grow)
     column = b[entry[1]]
-    if slots[list[at]] <= last then
+    if slot <= last then
+      local k = width * slot
       column[k], column[k + y] = value, entry.isLink and value or list[at + 1 + y]
     end
   end
 end
 
-local function restoreMemory(b, st, slots)
+local function restoreMemory(b, st, objects)
+  local slots = b.restored
   for n = 1, #COLUMNS do
-    restoreColumn(b, st.memory[COLUMNS[n][1]], slots, COLUMNS[n])
+    restoreColumn(b, st.memory[COLUMNS[n][1]], objects, COLUMNS[n])
   end
   b.movedCount = 0
   for n = 1, #slots do
@@ -266,15 +288,16 @@ local function restoreMemory(b, st, slots)
   end
 end
 
-local function restoreContacts(b, st, slots)
-  local list = st.contacts
-  pairFinder.run(b, slots, #slots)
+local function restoreContacts(b, st, objects)
+  local list, slotOf = st.contacts, b.slotOf
+  pairFinder.run(b, b.restored, #b.restored)
   for at = 1, #list, 2 + #PAIRS do
-    local one, other = list[at], list[at + 1]
-    local p = links.pairOf(b, slots[one], slots[other]) or links.link(b, slots[one], slots[other])
+    local one, other = objects[list[at]], objects[list[at + 1]]
+    local p = links.pairOf(b, slotOf[one], slotOf[other])
+      or links.link(b, slotOf[one], slotOf[other])
     for c = 1, #PAIRS do
       local value = list[at + 1 + c]
-      if b.pairA[p] ~= slots[one] and value ~= PAIRS[c][2] then
+      if b.pairA[p] ~= slotOf[one] and value ~= PAIRS[c][2] then
         value = PAIRS[c][3][value]
       end
       b[PAIRS[c][1]][p] = value
@@ -283,9 +306,9 @@ local function restoreContacts(b, st, slots)
   end
 end
 
-local function restoreTouching(b, st, objects, slots)
+local function restoreTouching(b, st, objects)
   for at = 1, #st.touching, 5 do
-    local touching = b.touching[slots[st.touching[at]]]
+    local touching = b.touching[b.slotOf[objects[st.touching[at]]]]
     for side = 1, touching and 4 or 0 do
       touching[constants.SIDES[side]] = objects[st.touching[at + side]] or false
     end
@@ -311,10 +334,10 @@ end
 --- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has
 --- changed.
 function restore.world(world, st)
-  local b, slots, layers, sentence, new = world._bodies, {}, nil, nil, {}
+  local b, layers, sentence, new = world._bodies, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
   st = validate.state(st, objects)
-  local isKnown = objects and #objects == st.count + st.gone
+  local isKnown = objects and #objects == st.count + #st.gone
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
@@ -326,24 +349,16 @@ function restore.world(world, st)
   end
   forget(b)
   restoreSettings(world, st.settings)
-  local some = listSome(st, objects)
-  for _, row in format.rows(st) do
-    writeField(st, objects, row, not format.isOfAll(row) and some)
-  end
+  local odd = writeFields(b, st, objects)
   place(world, st, objects)
-  local gone = readKnown(b, st, objects)
+  readKnown(b, objects, odd)
+  readStatic(b, objects, odd)
   readAll(world, st)
-  for n = 1, #gone do
-    readStatic(b, b.slotOf[objects[gone[n]]], objects[gone[n]])
-  end
+  readStatic(b, objects, odd)
   events.forget(b.events)
-  b.restored = slots
-  for n = 1, st.count do
-    slots[n] = b.slotOf[objects[n]]
-  end
-  restoreMemory(b, st, slots)
-  restoreContacts(b, st, slots)
-  restoreTouching(b, st, objects, slots)
+  restoreMemory(b, st, objects)
+  restoreContacts(b, st, objects)
+  restoreTouching(b, st, objects)
   restoreEvents(b, st, objects)
   b.restored = {}
   world._saved = st.saved
