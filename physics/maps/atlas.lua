@@ -33,8 +33,8 @@ local atlas = {}
 local Atlas = {}
 Atlas.__index = Atlas
 
-local LISTS = { "lines", "pictures", "points", "solidLayers", "unsupported" }
-for _, name in ipairs(level.LISTS) do
+local LISTS = { "lines", "points" }
+for name in level.LISTS:gmatch("%a+") do
   LISTS[#LISTS + 1] = name
 end
 

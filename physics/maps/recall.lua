@@ -55,7 +55,7 @@ end
 
 -- Returns whether a layer has objects.
 local function isLiving(layer)
-  return layer and (layer._waiting[1] or cells.inWorld(layer)[1])
+  return layer and (next(layer._isWaiting) or cells.inWorld(layer)[1])
 end
 
 --- Notes what a map has made.
@@ -73,14 +73,14 @@ function recall.enter(world, made, layers, waiting)
     end
   end
   for _, layer in ipairs(layers) do
-    layer.world, layer._isAway, layer._isSorted = world, waiting ~= nil, true
+    layer.world, layer._isAway = world, waiting ~= nil
     layer._x, layer._y, layer._name = layer._x - x, layer._y - y, layer._name .. place
     cells.place(layer, x, y)
     while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
     end
-    layer._waiting = waiting or {}
-    for _, object in ipairs(layer._waiting) do
+    layer._queue = waiting and properties.put({ isLoading = true, first = 1 }, waiting)
+    for _, object in ipairs(waiting or {}) do
       layer._isWaiting[object] = true
     end
     recall.setHere(layer, not waiting)
@@ -243,7 +243,7 @@ function recall.finish(world, st, layers, objects)
     for object in next, snapshot.isPart and list or {}, nil do
       cells.waitAgain(layer, object)
     end
-    layer._isAway, layer._snapshot, layer._leaving = snapshot.isAway, snapshot, nil
+    layer._isAway, layer._snapshot, layer._queue = snapshot.isAway, snapshot, nil
   end
 end
 
