@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 632 },
   { "physics/contacts", 371 },
   { "physics/fields", 658 },
-  { "physics/maps", 2637 },
+  { "physics/maps", 2611 },
   { "physics/memory", 889 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 558 },
