@@ -1,6 +1,6 @@
 ---@diagnostic disable
 --- A level of several maps, each in its place in the world of the editor. Adds maps and takes them
---- out again, and lists what those that are there have made.
+--- out again, and lists the objects of those that are there.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -66,7 +66,7 @@ local function find(self, call, name)
   check.fail(text, where, check.show(name), table.concat(names, ", "))
 end
 
--- Reads those of these maps that are not there. Returns what the maps will have made, see `_set`.
+-- Reads those of these maps that are not there. Returns the argument for `_set`.
 function Atlas._read(self, isWanted)
   local made = {}
   for _, map in ipairs(self.maps) do
@@ -80,8 +80,8 @@ function Atlas._read(self, isWanted)
   return made
 end
 
--- Sets what the maps have made: by map that is there its `level`, the `layers` of its tiles, and
--- once a function `add`.
+-- Sets the maps that are there: by map its `level`, the `layers` of its tiles, and once a function
+-- `add`.
 function Atlas._set(self, made)
   local grids = {}
   self._made, self._there, self.tiles, self.rectangles = made, {}, 0, 0

@@ -1,7 +1,7 @@
 ---@diagnostic disable
---- What a world knows of its maps, and what a state holds of them: which maps of a level of several
---- are there, by which name each object was loaded, and what was dug. So a state finds its objects
---- in a world that has loaded the same maps anew, too.
+--- The memory of maps, in a world and in its states: which maps of a level of several are there, by
+--- which name each object was loaded, and which cells were dug. So a state finds its objects in a
+--- world that has loaded the same maps anew, too.
 ---
 --- Objects are named by their map, its place (as before any `world:shift`) and their id in the
 --- editor; those of tiles by their cells. Layers that are out of the world, as `unload` leaves
@@ -16,8 +16,8 @@ local max, min = math.max, math.min
 
 local recall = {}
 
---- Returns what a world knows of its maps, by name: layers of tiles that are in it, and those that
---- are not, as long as the game has them; levels of several maps.
+--- Returns the memory of the maps of a world, by name: layers of tiles that are in it, and those
+--- that are not, as long as the game has them; levels of several maps.
 function recall.mapsOf(world)
   local b = world._bodies
   if not b.maps then
@@ -58,7 +58,7 @@ local function isLiving(layer)
   return layer and (next(layer._isWaiting) or cells.inWorld(layer)[1])
 end
 
---- Notes what a map has made.
+--- Notes the objects and layers that a map has made.
 ---@param world table
 ---@param made table `objects`; `_x`, `_y`: px, where the map is
 ---@param layers table[] physics.Tiles
@@ -104,7 +104,7 @@ end
 
 -- Saving ------------------------------------------------------------------------------------------
 
--- Returns what a state holds of a layer: the same table until that changes.
+-- Returns the part of a state about a layer: the same table until the layer changes.
 local function snapshotOf(layer)
   if not layer._snapshot then
     local changes, isPart = {}, next(layer._isWaiting) ~= nil
@@ -162,7 +162,7 @@ local function digTo(layer, changes)
   end
 end
 
---- Brings the maps and the cells of a world to what they were in a state. Returns its layers by
+--- Brings the maps and the cells of a world back to a state. Returns the layers of the state by
 --- name. Errors: a map cannot be read; nothing has changed then.
 ---@param tables table? see `save`, of a state of this world
 function recall.begin(world, st, tables)
@@ -205,7 +205,7 @@ end
 function recall.find(world, st, layers)
   local byName, named = {}, {}
   for _, atlas in next, mapsOf(world).atlases, nil do
-    addNames(byName, atlas.objects, true) -- what has left the world is its map's, too
+    addNames(byName, atlas.objects, true) -- its map still has an object that has left the world
   end
   for _, members in next, world.objects, nil do
     addNames(byName, members)

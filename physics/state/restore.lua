@@ -46,7 +46,7 @@ local function forEach(world, st, visit)
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
--- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
+-- in a state from elsewhere: fields of the game may be on other objects then. nil: none.
 -- (Of a group of loaded objects that says nothing.)
 local function misfit(world, st, named)
   for _, group in ipairs(st.groups) do
@@ -62,8 +62,8 @@ local function misfit(world, st, named)
 end
 
 -- Returns all objects that a state from elsewhere names, by number: those `named`, if the state has
--- names; those at the same places, unless they have a name; and new ones. Second: what does not fit
--- (see misfit). Third: the new ones.
+-- names; those at the same places, unless they have a name; and new ones. Second: the sentence
+-- of `misfit`. Third: the new ones.
 local function match(world, st, named)
   local objects, taken, new = {}, {}, {}
   forEach(world, st, function(n, owner, key)
@@ -92,7 +92,7 @@ local function clear(list)
   end
 end
 
--- Writes what a state holds of a field or setting, nil: nothing. A table that says the same stays;
+-- Writes the value of a field or setting in a state, nil: none. A table that says the same stays;
 -- `isShared`: another one is changed in place, since the game may hold it.
 local function write(owner, row, value, isShared)
   local now = owner[row.name]
@@ -105,8 +105,8 @@ local function write(owner, row, value, isShared)
   end
 end
 
--- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and read
--- as a whole: all but tiles that are in place.
+-- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and
+-- read as a whole: all but tiles that are in place.
 local function writeBoxes(b, st, objects)
   local odd, boxes, others, at, m = {}, st.boxes, st.others, 1, 1
   for n = 1, st.count do
@@ -140,8 +140,8 @@ local function writeField(st, objects, row, odd)
   end
 end
 
--- Writes all fields. What had left the world gets those that it had then. Returns what
--- `writeBoxes` does.
+-- Writes all fields. An object that had left the world gets those that it had then. Returns the
+-- list of `writeBoxes`.
 local function writeFields(b, st, objects)
   local odd = writeBoxes(b, st, objects)
   for _, row in format.rows(st) do
@@ -183,8 +183,8 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
--- Takes over places and velocities of known objects that can move, so that what is only elsewhere
--- need not be read anew. (Memory has the rest of it.)
+-- Takes over places and velocities of known objects that can move, so that an object that is only
+-- elsewhere need not be read anew. (Memory has the rest of it.)
 local function readKnown(b, objects, odd)
   local written, velocity = b.written, b.velocity
   for m = 1, #odd do
@@ -198,8 +198,8 @@ local function readKnown(b, objects, odd)
   end
 end
 
--- Reads static objects again that have other fields now. (What a query has seen leave is in no group
--- until all are read.) Lists the slots of all in `b.restored`.
+-- Reads static objects again that have other fields now. (An object that a query has seen leave is
+-- in no group until all are read.) Lists the slots of all in `b.restored`.
 local function readStatic(b, objects, odd)
   local slots = {}
   b.restored = slots
@@ -330,9 +330,9 @@ local function restoreEvents(b, st, objects)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
---- Makes a world what it was when `st` was saved. Returns what does not fit, or nil, and the
---- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has
---- changed.
+--- Brings a world back to the moment at which `st` was saved. Returns the sentence of `misfit`, or
+--- nil, and the objects that it had to make (see match). Errors: a state that cannot be used; then
+--- nothing has changed.
 function restore.world(world, st)
   local b, layers, sentence, new = world._bodies, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
