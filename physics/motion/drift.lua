@@ -64,7 +64,7 @@ local WAYS_Y = { 0.5, 1.0, 1.0, 0.75, 0.25, -1.0, 1.0, -1.0 }
 local function newWork()
   return {
     count = 0, -- bodies of soft groups
-    slot = {}, -- of each, and what follows, in the order of the world
+    slot = {}, -- of each; all lists are in the order of the world
     at = { [0] = {}, {} }, -- by axis: of its middle, px
     half = { [0] = {}, {} }, -- by axis: half of its size, px
     row = {}, -- the row of its group in the setting, and the name of that
