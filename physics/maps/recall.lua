@@ -55,7 +55,7 @@ end
 
 -- Returns whether a layer has objects.
 local function isLiving(layer)
-  return layer and (next(layer._isWaiting) or cells.inWorld(layer)[1])
+  return layer and (cells.waiting(layer)[1] or cells.inWorld(layer)[1])
 end
 
 --- Notes the objects and layers that a map has made.

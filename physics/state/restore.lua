@@ -33,16 +33,14 @@ local max, min = math.max, math.min
 
 -- Which table is which object ---------------------------------------------------------------------
 
--- Calls visit(n, owner, key) for each object of a state: where it is in the tables of the game.
-local function forEach(world, st, visit)
-  local n = 0
-  for _, group in ipairs(st.groups) do
-    local owner = group.direct and world.objects or world.objects[group.name]
-    for m = 1, group.count do
-      n = n + 1
-      visit(n, owner, group.direct and group.name or group.keys and group.keys[m] or m)
-    end
-  end
+-- Returns the table of the game that holds the objects of a group in a state; nil: there is none.
+local function ownerOf(world, group)
+  return group.direct and world.objects or world.objects[group.name]
+end
+
+-- Returns the key of the m-th of these objects there.
+local function keyOf(group, m)
+  return group.direct and group.name or group.keys and group.keys[m] or m
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
@@ -65,19 +63,23 @@ end
 -- names; those at the same places, unless they have a name; and new ones. Second: the sentence
 -- of `misfit`. Third: the new ones.
 local function match(world, st, named)
-  local objects, taken, new = {}, {}, {}
-  forEach(world, st, function(n, owner, key)
-    local object = type(owner) == "table" and not check.isObject(owner) and owner[key]
-    local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
-    if named and (named[n] or isFit and recall.nameOf(object)) then
-      object, isFit = named[n], named[n]
+  local objects, taken, new, n = {}, {}, {}, 0
+  for _, group in ipairs(st.groups) do
+    local owner = ownerOf(world, group)
+    for m = 1, group.count do
+      n = n + 1
+      local object = type(owner) == "table" and not check.isObject(owner) and owner[keyOf(group, m)]
+      local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
+      if named and (named[n] or isFit and recall.nameOf(object)) then
+        object, isFit = named[n], named[n]
+      end
+      if not isFit or taken[object] then
+        object = {}
+        new[#new + 1] = object
+      end
+      objects[n], taken[object] = object, true
     end
-    if not isFit or taken[object] then
-      object = {}
-      new[#new + 1] = object
-    end
-    objects[n], taken[object] = object, true
-  end)
+  end
   for n = 1, #st.gone do
     objects[st.count + n] = {}
   end
@@ -155,8 +157,7 @@ local function writeFields(b, st, objects)
   return odd
 end
 
--- Puts the objects into the game's groups. Groups that are not in the state are emptied.
-local function place(world, st, objects)
+local function emptyGroups(world)
   for name, members in next, world.objects, nil do
     if type(members) ~= "table" or check.isObject(members) then
       world.objects[name] = nil
@@ -164,12 +165,20 @@ local function place(world, st, objects)
       clear(members)
     end
   end
+end
+
+-- Puts the objects into the game's groups. Groups that are not in the state are emptied.
+local function place(world, st, objects)
+  local n = 0
+  emptyGroups(world)
   for _, group in ipairs(st.groups) do
     world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
+    local owner = ownerOf(world, group)
+    for m = 1, group.count do
+      owner[keyOf(group, m)] = objects[n + m]
+    end
+    n = n + group.count
   end
-  forEach(world, st, function(n, owner, key)
-    owner[key] = objects[n]
-  end)
 end
 
 -- Settings ----------------------------------------------------------------------------------------
