@@ -32,7 +32,6 @@ compiler.INTERPRETED = {
   ["objects.groups"] = "sortedKeys hasOthers haveChanged",
   ["objects.registry"] = "find",
   ["queries.move"] = "finish",
-  ["state.hash"] = "measure",
   ["state.format"] = "isPlain",
   ["state.older"] = "read objectsOf",
   ["state.restore"] = "clear emptyGroups",
