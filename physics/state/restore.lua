@@ -114,15 +114,17 @@ local function writeBoxes(b, st, objects)
   for n = 1, st.count do
     local object, i, isTile = objects[n], b.slotOf[objects[n]], others[m] ~= n
     local isStatic = isTile or others[m + 1]
+    m = isTile and m or m + 2
     if (object.static or false) ~= isStatic then
       object.static = isStatic
     end
     object.x, object.y = boxes[at], boxes[at + 1]
     object.width, object.height = boxes[at + 2], boxes[at + 3]
-    if not (isTile and i and format.isTile(b, i, object)) then
+    isTile = isTile and i and format.isTile(b, i, object)
+    if not (isTile and format.isInPlace(b, i, object)) then
       odd[#odd + 1] = n
     end
-    at, m = at + 4, isTile and m or m + 2
+    at = at + 4
   end
   return odd
 end
@@ -222,6 +224,9 @@ local function readStatic(b, objects, odd)
     end
     slots[#slots + 1] = b.slotOf[object]
   end
+  for n = 1, b.movedCount do -- those that only stand in another group now, too
+    slots[#slots + 1] = b.movedList[n]
+  end
 end
 
 -- Reads all objects in their old order. If the game has set another `order` since the last step, it
@@ -281,7 +286,6 @@ local function restoreMemory(b, st, objects)
   for n = 1, #COLUMNS do
     restoreColumn(b, st.memory[COLUMNS[n][1]], objects, COLUMNS[n])
   end
-  b.movedCount = 0
   for n = 1, #slots do
     local i = slots[n]
     b.fresh[i] = false
@@ -290,10 +294,10 @@ local function restoreMemory(b, st, objects)
     if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
       read.resetTouching(b, i)
     end
-    if b.moved[i] then
-      b.movedCount = b.movedCount + 1
-      b.movedList[b.movedCount] = i
-    end
+  end
+  b.movedCount = #st.memory.moved * 0.5
+  for n = 1, b.movedCount do
+    b.movedList[n] = b.slotOf[objects[st.memory.moved[2 * n - 1]]]
   end
 end
 
