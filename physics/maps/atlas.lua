@@ -33,15 +33,11 @@ local atlas = {}
 local Atlas = {}
 Atlas.__index = Atlas
 
-local LISTS = { "lines", "points" }
-for name in level.LISTS:gmatch("%a+") do
-  LISTS[#LISTS + 1] = name
-end
-
+local LISTS = level.LISTS .. " lines points"
 local TABLES = { "byId", "byIid", "named", "tileLayers" }
 
 local function join(self, made)
-  for _, name in ipairs(LISTS) do
+  for name in LISTS:gmatch("%a+") do
     local list = self[name]
     for _, entry in ipairs(made[name] or {}) do
       list[#list + 1] = entry
@@ -85,7 +81,7 @@ end
 function Atlas._set(self, made)
   local grids = {}
   self._made, self._there, self.tiles, self.rectangles = made, {}, 0, 0
-  for _, name in ipairs(LISTS) do
+  for name in LISTS:gmatch("%a+") do
     self[name] = {}
   end
   for _, name in ipairs(TABLES) do

@@ -212,9 +212,7 @@ function recall.find(world, st, layers)
   end
   for _, layer in next, layers, nil do
     ---@cast layer table
-    for object in next, layer._isWaiting, nil do
-      byName[nameOf(object)] = object
-    end
+    addNames(byName, cells.waiting(layer))
   end
   for at = 1, #st.loaded, 2 do
     named[st.loaded[at]] = byName[st.loaded[at + 1]]

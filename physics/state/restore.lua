@@ -183,15 +183,6 @@ local function place(world, st, objects)
   end
 end
 
--- Settings ----------------------------------------------------------------------------------------
-
-local function restoreSettings(world, saved)
-  for _, row in ipairs(fields.savedSettings) do
-    write(world, row, saved[row.name], true)
-  end
-  settings.apply(world)
-end
-
 -- Reading -----------------------------------------------------------------------------------------
 
 -- Takes over places and velocities of known objects that can move, so that an object that is only
@@ -361,7 +352,10 @@ function restore.world(world, st)
     objects, sentence, new = match(world, st, layers and recall.find(world, st, layers))
   end
   forget(b)
-  restoreSettings(world, st.settings)
+  for _, row in ipairs(fields.savedSettings) do
+    write(world, row, st.settings[row.name], true)
+  end
+  settings.apply(world)
   local odd = writeFields(b, st, objects)
   place(world, st, objects)
   readKnown(b, objects, odd)
