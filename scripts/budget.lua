@@ -9,8 +9,8 @@ local BUDGET = {
   { "physics/broadphase", 632 },
   { "physics/contacts", 371 },
   { "physics/fields", 658 },
-  { "physics/maps", 2611 },
-  { "physics/memory", 889 },
+  { "physics/maps", 2598 },
+  { "physics/memory", 888 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 558 },
   { "physics/objects", 1258 },
@@ -19,7 +19,7 @@ local BUDGET = {
   { "physics/sleep", 85 },
   { "physics/solver", 3407 },
   { "physics/space", 499 },
-  { "physics/state", 1043 },
+  { "physics/state", 1053 },
   { "physics/world", 1423 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
