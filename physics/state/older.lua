@@ -3,6 +3,7 @@
 --- were; the library remembers nothing of them: contacts are told again, and riders board.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local format = require(root .. ".state.format")
 local layout = require(root .. ".memory.layout")
 local save = require(root .. ".state.save")
 
@@ -78,7 +79,7 @@ function older.read(old)
     for m = 1, 4 do
       st.boxes[4 * n - 4 + m] = object[DENSE[m]]
     end
-    st.others[2 * n - 1], st.others[2 * n] = n, object.static or false
+    st.others[2 * n - 1], st.others[2 * n] = n, format.isStatic(object)
   end
   save.fields(nil, st, objects, own[1] and own)
   for _, entry in ipairs(layout.KEPT) do

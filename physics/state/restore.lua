@@ -80,8 +80,8 @@ local function match(world, st, named)
       objects[n], taken[object] = object, true
     end
   end
-  for n = 1, #st.gone do
-    objects[st.count + n] = {}
+  for g = 1, #st.gone do
+    objects[st.count + g] = {}
   end
   return objects, misfit(world, st, named), new
 end
@@ -110,16 +110,16 @@ end
 -- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and
 -- read as a whole: all but tiles that are in place.
 local function writeBoxes(b, st, objects)
-  local odd, boxes, others, at, m = {}, st.boxes, st.others, 1, 1
+  local odd, list, others, at, m = {}, st.boxes, st.others, 1, 1
   for n = 1, st.count do
     local object, i, isTile = objects[n], b.slotOf[objects[n]], others[m] ~= n
     local isStatic = isTile or others[m + 1]
     m = isTile and m or m + 2
-    if (object.static or false) ~= isStatic then
+    if format.isStatic(object) ~= isStatic then
       object.static = isStatic
     end
-    object.x, object.y = boxes[at], boxes[at + 1]
-    object.width, object.height = boxes[at + 2], boxes[at + 3]
+    object.x, object.y = list[at], list[at + 1]
+    object.width, object.height = list[at + 2], list[at + 3]
     isTile = isTile and i and format.isTile(b, i, object)
     if not (isTile and format.isInPlace(b, i, object)) then
       odd[#odd + 1] = n
@@ -192,7 +192,7 @@ local function readKnown(b, objects, odd)
   for m = 1, #odd do
     local object = objects[odd[m]]
     local i = b.slotOf[object]
-    if i and b.kind[i] ~= STATIC and not object.static then
+    if i and b.kind[i] ~= STATIC and not format.isStatic(object) then
       local k = 2 * i
       written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
       velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
@@ -207,7 +207,7 @@ local function readStatic(b, objects, odd)
   b.restored = slots
   for m = 1, #odd do
     local object = objects[odd[m]]
-    local i, isStatic = b.slotOf[object], object.static or false
+    local i, isStatic = b.slotOf[object], format.isStatic(object)
     local wasStatic = i and b.kind[i] == STATIC
     local isOther = isStatic and wasStatic and readFields.firstOfStatic(b, i, object)
     if i and b.group[i] and (isOther or isStatic ~= wasStatic) then
