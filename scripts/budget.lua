@@ -19,7 +19,7 @@ local BUDGET = {
   { "physics/sleep", 85 },
   { "physics/solver", 3407 },
   { "physics/space", 499 },
-  { "physics/state", 1057 },
+  { "physics/state", 1058 },
   { "physics/world", 1423 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

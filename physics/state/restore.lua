@@ -216,7 +216,8 @@ local function readStatic(b, objects, odd)
     slots[#slots + 1] = b.slotOf[object]
   end
   for n = 1, b.movedCount do -- those that only stand in another group now, too
-    slots[#slots + 1] = b.movedList[n]
+    local i = b.movedList[n]
+    slots[#slots + 1] = b.kind[i] ~= 0 and i or nil -- (it may have left the world since)
   end
 end
 
