@@ -6,21 +6,21 @@
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 632 },
+  { "physics/broadphase", 625 },
   { "physics/contacts", 371 },
   { "physics/fields", 658 },
   { "physics/maps", 2598 },
   { "physics/memory", 888 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 558 },
-  { "physics/objects", 1258 },
+  { "physics/objects", 1307 },
   { "physics/overlaps", 793 },
-  { "physics/queries", 855 },
+  { "physics/queries", 846 },
   { "physics/sleep", 85 },
   { "physics/solver", 3407 },
   { "physics/space", 499 },
   { "physics/state", 1058 },
-  { "physics/world", 1423 },
+  { "physics/world", 1426 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
