@@ -120,8 +120,8 @@ local function writeBoxes(b, st, objects)
     end
     object.x, object.y = list[at], list[at + 1]
     object.width, object.height = list[at + 2], list[at + 3]
-    isTile = isTile and i and format.isTile(b, i, object)
-    if not (isTile and format.isInPlace(b, i, object)) then
+    local isStill = isTile and i and format.isTile(b, i, object)
+    if not (isStill and format.isInPlace(b, i, object)) then
       odd[#odd + 1] = n
     end
     at = at + 4
