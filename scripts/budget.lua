@@ -13,8 +13,8 @@ local BUDGET = {
   { "physics/broadphase", 628 },
   { "physics/contacts", 379 },
   { "physics/fields", 659 },
-  { "physics/maps", 2637 },
-  { "physics/memory", 891 },
+  { "physics/maps", 2598 },
+  { "physics/memory", 890 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 576 },
   { "physics/objects", 1307 },
@@ -23,8 +23,8 @@ local BUDGET = {
   { "physics/sleep", 85 },
   { "physics/solver", 3417 },
   { "physics/space", 499 },
-  { "physics/state", 1021 },
-  { "physics/world", 1440 },
+  { "physics/state", 1059 },
+  { "physics/world", 1437 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
