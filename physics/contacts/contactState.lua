@@ -45,10 +45,16 @@ local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
     return
-  elseif b.hasShapes and touch.haveFaces(b, i, j) then
-    return
   end
   local position, size = b.position, b.size
+  if b.hasShapes and touch.haveFaces(b, i, j) then
+    local box, ramp = touch.order(b, i, j)
+    local side = touch.sideBefore(b, box, ramp, position, size, position)
+    if side > 0 then
+      b.wedged[p] = box == i and side or OPPOSITE[side]
+    end
+    return
+  end
   for axis = 0, 1 do
     local ki, kj = 2 * i + axis, 2 * j + axis
     local r = position[kj] - position[ki]
