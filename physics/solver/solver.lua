@@ -52,6 +52,8 @@ local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
+-- How often boxes are clipped: one that was stopped is in the way of others.
+local CLIPS = 8
 -- How often slanted contacts are solved before the first round.
 local PRESSES = 3
 
@@ -224,8 +226,11 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
-  if b.walks then
-    clip.run(b, dt)
+  for _ = 1, b.walks and CLIPS or 0 do
+    if not clip.run(b, dt) then
+      break
+    end
+    hasChanged = runRounds(b, dt, awakenings) or hasChanged
   end
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)
