@@ -338,8 +338,8 @@ function clip.run(b, dt)
   if not clipAll(b) then
     return false
   end
-  settle.axis(b, 0, dt, true)
-  settle.axis(b, 1, dt, true)
+  settle.again(b, 0, dt)
+  settle.again(b, 1, dt)
   walk.run(b, dt, false)
   rounds.findChanged(b)
   return true

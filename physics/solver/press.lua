@@ -74,15 +74,19 @@ local function depthOf(b, c)
   return s.least[c] - along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
 end
 
-local function needsPress(b, c)
-  local s = b.slants
-  return s.isNew[c] or depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
+-- Returns whether plane c is new, or violated while one of its bodies has another path than at the
+-- last sweep, or (`ofAll`) any path. (Passes that others need must not move those of a heap.)
+local function needsPress(b, c, ofAll)
+  local s, dirty, stamp = b.slants, b.dirty, b.dirtyStamp
+  local isChanged = ofAll or dirty[s.one[c]] == stamp or dirty[s.other[c]] == stamp
+  return s.isNew[c] or isChanged and depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
 end
 
---- Returns whether there is a new plane, or one that is violated.
-function press.isNeeded(b)
+--- Returns whether there is a new plane, or one that is violated (`ofAll`: of bodies with old paths,
+--- too).
+function press.isNeeded(b, ofAll)
   for c = 1, b.slants.count do
-    if needsPress(b, c) then
+    if needsPress(b, c, ofAll) then
       return true
     end
   end
@@ -100,10 +104,10 @@ end
 
 -- Marks the dynamic bodies of planes that are new or violated, and the bodies that touch these,
 -- directly or through others. All others are solved already, and do not depend on these.
-local function spread(b)
+local function spread(b, ofAll)
   local s, kind, base = b.slants, b.kind, b.slants.base
   for c = 1, s.count do
-    if needsPress(b, c) then
+    if needsPress(b, c, ofAll) then
       local i, j = s.one[c], s.other[c]
       s.isNew[c] = false
       s.mark[i], s.mark[j] =
@@ -148,11 +152,11 @@ end
 
 -- Lists the rows to be solved: planes, and behind them the contacts along an axis of the same
 -- bodies.
-local function listRows(b)
+local function listRows(b, ofAll)
   local s, last = b.slants, b.slants.count
   s.rows, s.stamp = 0, s.stamp + 1
   arrange(b)
-  spread(b)
+  spread(b, ofAll)
   for n = 1, s.count do
     local c = s.base[n]
     if s.mark[s.one[c]] == s.stamp or s.mark[s.other[c]] == s.stamp then
@@ -395,8 +399,8 @@ local function solve(b, passCount, isShock)
 end
 
 --- Pushes all pairs apart that end nearer to each other than they may be.
-function press.run(b)
-  listRows(b)
+function press.run(b, ofAll)
+  listRows(b, ofAll)
   if b.slants.rows == 0 then
     return
   end
@@ -426,8 +430,8 @@ function press.finish(b)
   slant.findLate(b)
   if s.count == 0 then
     return false
-  elseif press.isNeeded(b) then
-    press.run(b)
+  elseif press.isNeeded(b, true) then
+    press.run(b, true)
   end
   arrange(b)
   for c = 1, s.count do
