@@ -338,8 +338,8 @@ function clip.run(b, dt)
   if not clipAll(b) then
     return false
   end
-  settle.again(b, 0, dt)
-  settle.again(b, 1, dt)
+  settle.axis(b, b.contacts[0], dt, true)
+  settle.axis(b, b.contacts[1], dt, true)
   walk.run(b, dt, false)
   rounds.findChanged(b)
   return true

@@ -82,8 +82,7 @@ local function needsPress(b, c, ofAll)
   return s.isNew[c] or isChanged and depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
 end
 
---- Returns whether there is a new plane, or one that is violated (`ofAll`: of bodies with old paths,
---- too).
+--- Returns whether there is a new plane, or a violated one, of changed bodies or of all (`ofAll`).
 function press.isNeeded(b, ofAll)
   for c = 1, b.slants.count do
     if needsPress(b, c, ofAll) then

@@ -103,8 +103,8 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles what is connected with violated contacts, follows the ground, and
--- looks up the neighbours of the new paths. `isFirst`: before the first round.
+-- Settles the bodies that are connected with violated contacts, follows the ground, and looks up
+-- the neighbours of the new paths. `isFirst`: before the first round.
 local function settleLate(b, dt, isFirst)
   settle.again(b, b.downAxis, dt)
   settle.again(b, 1 - b.downAxis, dt)
