@@ -71,7 +71,7 @@ local function leaveInside(b, i, j)
   b.hasInside = true
 end
 
--- Returns the side of the first body of pair p on which the two, which overlap, would part by the
+-- Returns the side of the first body of pair p on which its bodies, which overlap, would part by the
 -- shortest way.
 local function shortestSide(b, p)
   local i, j = b.pairA[p], b.pairB[p]
@@ -127,7 +127,7 @@ local function solidContact(b, p, i, j)
   return flushContact(b, p, i, j, side)
 end
 
--- Returns the side on which a sensor was entered, while the two overlap, else 0.
+-- Returns the side on which a sensor was entered, while a body is in it, else 0.
 local function sensorContact(b, p, i, j)
   if sideOf(b, p, i, j) ~= INSIDE or b.passing[p] then
     return 0

@@ -81,7 +81,7 @@ local function note(b, kind, i, j, third, side, speed)
   e.x1[n], e.y1[n], e.x2[n], e.y2[n] = 0, 0, 0, 0
 end
 
--- Adds its place to the last event, of pair p on `side` of its first object: where the two hit, or
+-- Adds its place to the last event, of pair p on `side` of its first object: where its objects hit, or
 -- where they touch at the end of the step. (If two boxes overlap, the first in the order of the
 -- world counts.)
 local function locate(b, p, side)

@@ -14,7 +14,7 @@
 --   ##############      front of all that stop it (`leaveWalls`), which passes reach slowly.
 --                    3. The same with the speeds, for the rows that touch at the end: they must not
 --                       close. The speed along the tangent is kept.
---                    4. Under gravity SHOCKS more, in which the lower one of two does not give way,
+--                    4. Under gravity SHOCKS more, in which the lower body does not give way,
 --                       so that a heap does not sink.
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
@@ -68,7 +68,7 @@ local function arrange(b)
   sort.by(base, s.count, s.height, s.first, s.second)
 end
 
--- Returns by how much the two of row c end nearer to each other than they may be, px.
+-- Returns by how much the bodies of row c end nearer to each other than they may be, px.
 local function depthOf(b, c)
   local s = b.slants
   return s.least[c] - along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
@@ -92,7 +92,7 @@ function press.isNeeded(b, ofAll)
   return false
 end
 
--- Marks both of two if one of them is marked, and both are dynamic.
+-- Marks slots i and j if one of them is marked, and both are dynamic.
 local function reach(b, i, j)
   local s = b.slants
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
@@ -276,7 +276,7 @@ end
 
 -- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
 -- nearest velocity that goes into none. That is no further away than where it began, or a
--- standstill, and the ways of the walls. (The corner of two that come from opposite sides may be
+-- standstill, and the ways of the walls. (The corner of walls that come from opposite sides may be
 -- anywhere.)
 local function leaveWalls(b, column, isOfSpeeds)
   local s = b.slants
@@ -305,7 +305,7 @@ end
 -- The end of the step -----------------------------------------------------------------------------
 
 -- Limits how far dynamic slot i is pushed: a share of its size, and as far as it moves by itself.
--- (A body between two that cannot move would be pushed to and fro.)
+-- (A body between immovable ones would be pushed to and fro.)
 local function limit(b, i)
   local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
   local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
@@ -331,7 +331,7 @@ local function findFlush(b)
   end
 end
 
--- Clears the pushes of the rows of bodies without room: between two that cannot move, each pass has
+-- Clears the pushes of the rows of bodies without room: between immovable ones, each pass has
 -- pushed such a body to and fro.
 local function forgetJams(b)
   local s = b.slants
