@@ -71,8 +71,8 @@ local function leaveInside(b, i, j)
   b.hasInside = true
 end
 
--- Returns the side of the first body of pair p on which its bodies, which overlap, would part by the
--- shortest way.
+-- Returns the side of the first body of pair p on which it would leave the second one, which it
+-- overlaps, by the shortest way.
 local function shortestSide(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local isSwapped = b.rank[j] < b.rank[i] -- a tie is decided by the order of the world

@@ -81,8 +81,8 @@ local function note(b, kind, i, j, third, side, speed)
   e.x1[n], e.y1[n], e.x2[n], e.y2[n] = 0, 0, 0, 0
 end
 
--- Adds its place to the last event, of pair p on `side` of its first object: where its objects hit, or
--- where they touch at the end of the step. (If two boxes overlap, the first in the order of the
+-- Adds its place to the last event, of pair p on `side` of its first object: where the objects hit,
+-- or where they touch at the end of the step. (If two boxes overlap, the first in the order of the
 -- world counts.)
 local function locate(b, p, side)
   local e, n, i, j = b.events, b.events.count, b.pairA[p], b.pairB[p]
