@@ -6,21 +6,21 @@
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 632 },
+  { "physics/broadphase", 625 },
   { "physics/contacts", 377 },
   { "physics/fields", 658 },
   { "physics/maps", 2637 },
   { "physics/memory", 892 },
   { "physics/motion", 1044 },
   { "physics/narrowphase", 569 },
-  { "physics/objects", 1258 },
+  { "physics/objects", 1307 },
   { "physics/overlaps", 786 },
-  { "physics/queries", 855 },
+  { "physics/queries", 846 },
   { "physics/sleep", 85 },
   { "physics/solver", 3491 },
   { "physics/space", 499 },
   { "physics/state", 1020 },
-  { "physics/world", 1426 },
+  { "physics/world", 1429 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
