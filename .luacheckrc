@@ -35,11 +35,9 @@ files["web/playground/boot.lua"] = {
   globals = { "debug", "io", "loadstring", "math", "os", "package", "print", "unpack" },
 }
 files["scripts"] = { std = "luajit" }
--- Lines of a page of Markdown.
-files["scripts/manual_examples.lua"] = { max_line_length = false }
 files["scripts/online"] = { std = "luajit+love", globals = { "love" } }
 files["scripts/pictures"] = { std = "luajit+love", globals = { "love" } }
--- They play an example without LÖVE and have to pretend a little.
-files["scripts/find_*keys.lua"] = { std = "luajit", globals = { "love" } }
+-- It plays an example without LÖVE and has to pretend a little.
+files["scripts/find_keys.lua"] = { std = "luajit", globals = { "love" } }
 -- It runs on every Lua, in the place of busted.
 files["scripts/plain_busted.lua"] = { std = "min+busted", globals = { "arg" } }

@@ -134,9 +134,9 @@ golden: setup ## writes spec/golden.lua anew, if all kinds of Lua compute the sa
 coverage: setup ## shows the lines of the core that no spec runs; fails below 99 %
 	@bash scripts/test.sh --coverage
 
-mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/memory/aabb.lua, RESUME=1, SECONDS=12
+mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/space/shapes.lua, RESUME=1
 	@nice luajit scripts/mutants.lua --sample $(or $(SAMPLE),200) --seed $(or $(SEED),1) \
-	  $(if $(FILE),--file $(FILE)) $(if $(RESUME),--resume) $(if $(SECONDS),--seconds $(SECONDS))
+	  $(if $(FILE),--file $(FILE)) $(if $(RESUME),--resume)
 
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run

@@ -54,7 +54,6 @@ build = {
     ["physics.maps.recall"] = "physics/maps/recall.lua",
     ["physics.maps.tiled"] = "physics/maps/tiled.lua",
     ["physics.maps.tiled.file"] = "physics/maps/tiled/file.lua",
-    ["physics.maps.tiled.json"] = "physics/maps/tiled/json.lua",
     ["physics.maps.tiled.objectlayer"] = "physics/maps/tiled/objectlayer.lua",
     ["physics.maps.tiled.shapes"] = "physics/maps/tiled/shapes.lua",
     ["physics.maps.tiled.tilelayer"] = "physics/maps/tiled/tilelayer.lua",

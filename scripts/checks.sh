@@ -26,38 +26,13 @@ check() {
 # refuses COMMAND...: succeeds when the command fails. For checks of the checks themselves.
 refuses() { ! "$@"; }
 
-# count_specs WHAT CODE LOG SECONDS: counts the specs of a run of busted that has ended.
-count_specs() {
-  local what=$1 code=$2 log=$3 seconds=$4 summary good bad broken pending
-  summary=$(grep -E '^[0-9]+ success(es)? / [0-9]+ failures? / [0-9]+ errors? / [0-9]+ pending' \
-    "$log" | tail -n 1)
-  read -r good _ _ bad _ _ broken _ _ pending _ <<<"${summary:-0 - - 0 - - 0 - - 0 -}"
-  # A run that dies, or that finds no spec, leaves no number that would count: it fails as a whole.
-  if [ "$good" -eq 0 ] || { [ "$code" -ne 0 ] && [ $((bad + broken)) -eq 0 ]; }; then
-    broken=$((broken + 1))
-  fi
-  passed=$((passed + good))
-  failed=$((failed + bad + broken))
-  if [ $((bad + broken)) -gt 0 ]; then
-    echo "FAILED  specs on $what: $good passed, $((bad + broken)) failed ($seconds s)"
-    tail -n 200 "$log" | sed 's/^/        /'
-  else
-    echo "ok      specs on $what: $good passed, $pending pending ($seconds s)"
-  fi
-}
-
-# list_specs SLOW OPTION: lists the spec files in `files`, unless OPTION is --all without those named
-# in SLOW.
-list_specs() {
-  local slow=" ${1//$'\n'/ } " file
-  files=()
-  for file in $(find spec -name '*_spec.lua' | LC_ALL=C sort); do
-    if [ "$2" != --all ] && [[ "$slow" == *" $(basename "$file" _spec.lua) "* ]]; then
-      echo "slow, only with --all: $file"
-    else
-      files+=("$file")
-    fi
-  done
+# love_in ARGUMENT...: runs LÖVE in a virtual display, with its exit code. `timeout` stands inside:
+# killed from outside, xvfb-run would leave its display behind. Its own exit code is not LÖVE's when
+# it cannot clean up. LOVE names another LÖVE than that of the system.
+love_in() {
+  rm -f build/love.code
+  xvfb-run -a bash -c 'timeout -k 2 300 "${LOVE:-love}" "$@"; echo $? >build/love.code' love "$@"
+  return "$(cat build/love.code)"
 }
 
 finish() {
@@ -65,10 +40,10 @@ finish() {
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }
 
-# The Lua files of the project, as far as they exist.
+# Ends a script of which the rest makes no sense when this has failed.
+finish_if_failed() { [ "$failed" -eq 0 ] || { finish; exit 1; }; }
+
+# The Lua files of the project.
 lua_sources() {
-  local place
-  for place in physics.lua physics spec examples bench scripts web/determinism web/playground; do
-    [ ! -e "$place" ] || echo "$place"
-  done
+  printf '%s\n' physics.lua physics spec examples bench scripts web/determinism web/playground
 }

@@ -3,6 +3,8 @@
 -- A docstring is a run of lines with `---`, above a function or around `---@class` and `---@alias`.
 -- Its text comes first, then its tags; a tag goes on in lines that begin with `---` and two spaces.
 
+local files = require("spec.support.files")
+
 local docstrings = {}
 
 ---@class docs.Param
@@ -14,7 +16,6 @@ local docstrings = {}
 ---@field kind "function"|"class"|"alias"
 ---@field owner string? the table that the function stands in
 ---@field name string
----@field separator string? ":" or "."
 ---@field arguments string? as written, without the parentheses
 ---@field text string[] lines
 ---@field params docs.Param[]
@@ -23,35 +24,36 @@ local docstrings = {}
 ---@field type string? of an alias, and what a class is derived from
 ---@field tags string[] the lines of tags, as written
 
-local CLOSING = { ["("] = ")", ["<"] = ">", ["{"] = "}", ["["] = "]" }
-
--- Whether the type goes on after a space: after `fun(a):` and around `|` and `&`.
-local function isInside(text, at)
-  return text:sub(1, at - 1):find("[:|&,]%s*$") ~= nil or text:find("^%s*[|&]", at) ~= nil
-end
-
--- Splits "type and the rest" at the first space that does not belong to the type.
+-- Splits "type and the rest" at the first space that does not belong to the type: a type goes on in
+-- brackets, after `fun(a):` and around `|` and `&`.
 local function splitType(text)
   local depth = 0
   for at = 1, #text do
     local char = text:sub(at, at)
-    if CLOSING[char] then
+    if char:find("[(<{%[]") then
       depth = depth + 1
-    elseif char == ")" or char == ">" or char == "}" or char == "]" then
+    elseif char:find("[)>}%]]") then
       depth = depth - 1
-    elseif char == " " and depth == 0 and not isInside(text, at) then
-      return text:sub(1, at - 1), text:sub(at + 1)
+    elseif char == " " and depth == 0 then
+      local goesOn = text:sub(1, at - 1):find("[:|&,]%s*$") or text:find("^%s*[|&]", at)
+      if not goesOn then
+        return text:sub(1, at - 1), text:sub(at + 1)
+      end
     end
   end
   return text, ""
 end
 
+-- Adds a parameter or field, "name type text".
+local function addParam(list, name, rest)
+  local kind, text = splitType(rest)
+  table.insert(list, { name = name, type = kind, text = text })
+end
+
 local readTag = {}
 
 function readTag.param(entry, text)
-  local name, rest = text:match("^(%S+)%s+(.*)$")
-  local kind, meaning = splitType(rest)
-  table.insert(entry.params, { name = name, type = kind, text = meaning })
+  addParam(entry.params, text:match("^(%S+)%s+(.*)$"))
 end
 
 readTag["return"] = function(entry, text)
@@ -60,22 +62,13 @@ readTag["return"] = function(entry, text)
   table.insert(entry.returns, { name = name or "", type = kind, text = meaning or "" })
 end
 
--- Words in front of a field's name: whether it is the game's business.
-local IS_PUBLIC = { public = true, protected = false, private = false, package = false }
-
+-- Fields that are not the game's business are left out.
 function readTag.field(entry, text)
-  local word, seen = text:match("^(%l+)%s+(.*)$")
-  if IS_PUBLIC[word] == false then
-    return
-  elseif IS_PUBLIC[word] then
-    text = seen
+  if not (text:find("^protected ") or text:find("^private ") or text:find("^package ")) then
+    text = text:gsub("^public ", "")
+    local name = text:match("^%b[]") or text:match("^%S+")
+    addParam(entry.fields, name, text:sub(#name + 1):match("^%s+(.*)$"))
   end
-  local name, rest = text:match("^(%b[])%s+(.*)$")
-  if not name then
-    name, rest = text:match("^(%S+)%s+(.*)$")
-  end
-  local kind, meaning = splitType(rest)
-  table.insert(entry.fields, { name = name, type = kind, text = meaning })
 end
 
 function readTag.class(entry, text)
@@ -92,102 +85,105 @@ local function newEntry()
   return { text = {}, params = {}, returns = {}, fields = {}, tags = {} }
 end
 
--- Joins the lines of a tag; the others are text.
-local function sortLines(lines)
-  local text, tags = {}, {}
+-- A run of lines may declare several classes and aliases; the text belongs to the first.
+local function readRun(lines, found)
+  local entry = newEntry()
   for _, line in ipairs(lines) do
+    local tags = entry.tags
     if line:find("^@") then
       tags[#tags + 1] = line
     elseif #tags > 0 then
       tags[#tags] = tags[#tags] .. " " .. line:match("^%s*(.-)$")
     else
-      text[#text + 1] = (line:gsub("^ ", ""))
+      table.insert(entry.text, (line:gsub("^ ", "")))
     end
   end
-  return text, tags
-end
-
--- A run of lines may declare several classes and aliases; the text belongs to the first.
-local function readRun(lines, found)
-  local entry = newEntry()
-  entry.text, entry.tags = sortLines(lines)
   local last = entry
   for _, tag in ipairs(entry.tags) do
     local name, text = tag:match("^@(%w+)%s*(.*)$")
-    if (name == "class" or name == "alias") and last.kind then
+    local isDeclared = name == "class" or name == "alias"
+    if isDeclared and last.kind then
       last = newEntry()
     end
     if readTag[name] then
       readTag[name](last, text)
     end
-    if name == "class" or name == "alias" then
-      found[#found + 1] = last
-    end
+    found[#found + 1] = isDeclared and last or nil
   end
   return entry
 end
 
 -- "function World:update(dt)", or "local function step(self, dt)", which has no owner.
 local function readHead(entry, line, found)
-  local owner, separator, name, arguments = line:match("^function ([%w_]+)([.:])([%w_]+)%((.*)%)")
+  local owner, name, arguments = line:match("^function ([%w_]+)[.:]([%w_]+)%((.*)%)")
   if owner and #entry.text > 0 then
-    entry.kind, entry.owner, entry.separator = "function", owner, separator
-    entry.name, entry.arguments = name, arguments
+    entry.kind, entry.owner, entry.name, entry.arguments = "function", owner, name, arguments
     found[#found + 1] = entry
   end
 end
 
-local function readFile(path, found)
-  local file, run = assert(io.open(path, "rb")), {}
-  for line in file:lines() do
-    local comment = line:match("^%-%-%-(.*)$")
-    if comment then
-      run[#run + 1] = comment
-    elseif #run > 0 then
-      local entry = readRun(run, found)
-      if not entry.kind then
-        readHead(entry, line, found)
-      end
-      run = {}
-    end
-  end
-  file:close()
-end
-
---- The files with the methods of a world, in the order of the reference.
-docstrings.WORLD = {
-  "physics/world/class.lua",
-  "physics/world/world.lua",
-  "physics/world/queryMethods.lua",
-}
-
---- Returns the entries of a file, or of several, in their order.
----@param path string|string[]
+--- Returns the entries of files, in their order.
+---@param paths string[]
 ---@return docs.Entry[]
-function docstrings.read(path)
-  local paths, found = path, {}
-  if type(paths) == "string" then
-    paths = { paths }
-  end
-  for _, name in ipairs(paths) do
-    readFile(name, found)
+function docstrings.read(paths)
+  local found = {}
+  for _, path in ipairs(paths) do
+    local run = {}
+    for line in files.read(path):gmatch("([^\n]*)\n") do
+      local comment = line:match("^%-%-%-(.*)$")
+      if comment then
+        run[#run + 1] = comment
+      elseif #run > 0 then
+        local entry = readRun(run, found)
+        if not entry.kind then
+          readHead(entry, line, found)
+        end
+        run = {}
+      end
+    end
   end
   return found
 end
 
---- Returns the functions of one owner, by name and as a list in the order of the file.
----@param path string|string[]
----@param owner string
----@return table<string, docs.Entry> byName
----@return docs.Entry[] list
-function docstrings.functions(path, owner)
-  local byName, list = {}, {}
-  for _, entry in ipairs(docstrings.read(path)) do
-    if entry.kind == "function" and entry.owner == owner then
-      byName[entry.name], list[#list + 1] = entry, entry
+--- The functions of the reference, in its order: their files, their owner there, and the beginning
+--- of their names.
+docstrings.SOURCES = {
+  { paths = { "physics.lua" }, owner = "physics", place = "physics." },
+  { paths = { "physics/world/tutorial.lua" }, owner = "pure", place = "physics." },
+  {
+    paths = {
+      "physics/world/class.lua",
+      "physics/world/world.lua",
+      "physics/world/queryMethods.lua",
+    },
+    owner = "World",
+    place = "world:",
+  },
+  { paths = { "physics/maps/tiles.lua" }, owner = "Tiles", place = "tiles:" },
+  { paths = { "physics/maps/atlas.lua" }, owner = "Atlas", place = "level:" },
+}
+
+--- Returns the functions of a source.
+---@param source table a row of `SOURCES`
+---@return docs.Entry[]
+function docstrings.functions(source)
+  local list = {}
+  for _, entry in ipairs(docstrings.read(source.paths)) do
+    list[#list + 1] = entry.owner == source.owner and entry or nil
+  end
+  return list
+end
+
+--- Returns the fields of a world that are no settings.
+---@return docs.Param[]
+function docstrings.worldFields()
+  local list = {}
+  for _, entry in ipairs(docstrings.read(docstrings.SOURCES[3].paths)) do
+    for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
+      list[#list + 1] = field
     end
   end
-  return byName, list
+  return list
 end
 
 return docstrings

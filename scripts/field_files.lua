@@ -9,6 +9,7 @@
 package.path = "./?.lua;" .. package.path
 
 local fields = require("physics.fields.fields")
+local files = require("spec.support.files")
 
 -- Files that may name a field; 2 if it is not here.
 local ALLOWED = {
@@ -40,15 +41,11 @@ local ALLOWED = {
 }
 local FEW = 2
 
+-- Files that may write a column of the path of a body.
+local WRITERS = { to = 11, speed = 11, from = 6, accel = 8 }
+
 -- Place, size and velocity are what the core is about.
 local EVERYWHERE = { x = true, y = true, width = true, height = true, vx = true, vy = true }
-
-local function run(command)
-  local pipe = assert(io.popen(command))
-  local text = pipe:read("*a")
-  pipe:close()
-  return text
-end
 
 -- Returns the code of a file, without comments.
 local function codeOf(path)
@@ -59,55 +56,56 @@ local function codeOf(path)
   return table.concat(lines, "\n")
 end
 
-local files = {}
-for path in run("find physics -name '*.lua' | sort"):gmatch("[^\n]+") do
+local sources = {}
+for _, path in ipairs(files.list("find physics -name '*.lua'")) do
   local isLeftOut = path:find("^physics/fields/")
     or path == "physics/types.lua"
     or path == "physics/objects/readFields.lua"
-  if not isLeftOut then
-    files[#files + 1] = { path = path, code = codeOf(path) }
-  end
+  sources[#sources + 1] = not isLeftOut and { path = path, code = codeOf(path) } or nil
 end
 
 local isMet, sum = true, 0
-for _, row in ipairs(fields.objects) do
-  local name, found = row.name, {}
-  for _, file in ipairs(EVERYWHERE[name] and {} or files) do
-    if file.code:find("%f[%w_]" .. name .. "%f[^%w_]") then
-      found[#found + 1] = file.path
-    end
+
+-- Compares the files for which `isOne(code)` holds with how many there may be. Returns how many
+-- there are.
+local function compare(name, is, most, isOne)
+  local found = {}
+  for _, source in ipairs(sources) do
+    found[#found + 1] = isOne(source.code) and source.path or nil
   end
-  local most, count = ALLOWED[name] or FEW, #found
-  sum = sum + count
   if name == arg[1] then
     print(table.concat(found, "\n"))
-  elseif count > most then
+  elseif #found > most then
     isMet = false
-    print(("%s is named by %d files, at most %d may:"):format(name, count, most))
+    print(("%s is %s by %d files, at most %d may:"):format(name, is, #found, most))
     print("  " .. table.concat(found, "\n  "))
-  elseif count < most and ALLOWED[name] then
-    print(("%s is named by %d files only: lower its number, which is %d"):format(name, count, most))
+  elseif #found < most and is == "named" and ALLOWED[name] then
+    print(("%s is named by %d files only: lower its number, %d"):format(name, #found, most))
+  end
+  return #found
+end
+
+for _, row in ipairs(fields.objects) do
+  if not EVERYWHERE[row.name] then
+    local most = ALLOWED[row.name] or FEW
+    sum = sum
+      + compare(row.name, "named", most, function(code)
+        return code:find("%f[%w_]" .. row.name .. "%f[^%w_]")
+      end)
   end
 end
 print(sum .. " times a file names a field")
 
 -- Files that write a column: an assignment names it on its left side.
-for name, most in pairs({ to = 11, speed = 11, from = 6, accel = 8 }) do
-  local found, own, alias = {}, "b%." .. name .. "%[", "%f[%w_.]" .. name .. "%["
-  for _, file in ipairs(files) do
-    local isAlias, isWriter = file.code:find("b%." .. name .. "%f[^%w_%[]"), false
-    for left in file.code:gmatch("\n%s*([^\n=]-) =%s") do
+for name, most in pairs(WRITERS) do
+  local own, alias = "b%." .. name .. "%[", "%f[%w_.]" .. name .. "%["
+  compare(name, "written", most, function(code)
+    local isAlias, isWriter = code:find("b%." .. name .. "%f[^%w_%[]"), false
+    for left in code:gmatch("\n%s*([^\n=]-) =%s") do
       local isHere = left:find(own) or isAlias and left:find(alias)
       isWriter = isWriter or isHere and not left:find("^local ")
     end
-    found[#found + 1] = isWriter and file.path or nil
-  end
-  if #found > most then
-    isMet = false
-    print(("%s is written by %d files, at most %d may:"):format(name, #found, most))
-    print("  " .. table.concat(found, "\n  "))
-  elseif name == arg[1] then
-    print(table.concat(found, "\n"))
-  end
+    return isWriter
+  end)
 end
 os.exit(isMet and 0 or 1)

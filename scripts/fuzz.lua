@@ -49,41 +49,17 @@ local options = {
   games = 100,
 }
 
-local function readOptions(list)
-  local n = 1
-  while list[n] do
-    local name = list[n]:match("^%-%-(.+)$")
-    if options[name] == nil then
-      error("unknown option " .. list[n], 0)
-    elseif name == "keep-going" or name == "slopes" then
-      options[name] = true
-    else
-      n = n + 1
-      local isNumber = type(options[name]) == "number"
-      options[name] = isNumber and tonumber(list[n]) or not isNumber and list[n]
-      if not options[name] then
-        error("a number must follow " .. list[n - 1], 0)
-      end
-    end
-    n = n + 1
-  end
-end
-
 -- The checks of bounds that were asked for, nil: none.
-local function readBounds(names)
-  local chosen, count = {}, 0
-  for name in (names == "all" and table.concat(bounds.NAMES, ",") or names):gmatch("[^,]+") do
-    local isKnown = ("," .. table.concat(bounds.NAMES, ",") .. ","):find(
-      "," .. name .. ",",
-      1,
-      true
-    )
-    if not isKnown then
-      error("--bounds knows " .. table.concat(bounds.NAMES, ", ") .. ", not " .. name, 0)
+local function readBounds(text)
+  local known, chosen = table.concat(bounds.NAMES, ","), nil
+  for name in (text == "all" and known or text):gmatch("[^,]+") do
+    if not ("," .. known .. ","):find("," .. name .. ",", 1, true) then
+      error("--bounds knows " .. known .. ", not " .. name, 0)
     end
-    chosen[name], count = true, count + 1
+    chosen = chosen or {}
+    chosen[name] = true
   end
-  return count > 0 and chosen or nil
+  return chosen
 end
 
 local chosen -- checks of bounds
@@ -144,32 +120,27 @@ local function replay(path)
   return not failure
 end
 
--- Plays games of one kind. Returns how many passed and failed.
-local function playKind(kind)
-  local failed = 0
-  for seed = options.seed, options.seed + options.games - 1 do
-    local failure = games.play(kind, seed, 600)
-    if failure then
-      failed = failed + 1
-      local text = "FAILED  %s, seed %d, frame %d: %s: %s"
-      print(text:format(kind, seed, failure.at, failure.check, failure.text))
-    end
-  end
-  print(("%s: %d games, %d failed"):format(kind, options.games, failed))
-  return options.games - failed, failed
-end
-
+-- Plays games of some kinds.
 local function playKinds(names)
   local passed, failed = 0, 0
   for _, kind in ipairs(names) do
-    local good, bad = playKind(kind)
-    passed, failed = passed + good, failed + bad
+    for seed = options.seed, options.seed + options.games - 1 do
+      local failure = games.play(kind, seed, 600)
+      if failure then
+        failed = failed + 1
+        local text = "FAILED  %s, seed %d, frame %d: %s: %s"
+        print(text:format(kind, seed, failure.at, failure.check, failure.text))
+      else
+        passed = passed + 1
+      end
+    end
+    print(("%s: %d games"):format(kind, options.games))
   end
   print(("%d passed, %d failed"):format(passed, failed))
   return failed == 0
 end
 
-readOptions(arg)
+require("scripts.options")(options, arg)
 if options.game ~= "" then
   os.exit(playKinds(options.game == "all" and games.kinds or { options.game }) and 0 or 1)
 end

@@ -30,7 +30,7 @@ check "StyLua finds nothing to change" bash scripts/stylua.sh --check "${sources
 check "no folder has more code than its budget" luajit scripts/budget.lua
 check "no field is named by more files than before" luajit scripts/field_files.lua
 
-check "spec/README.md names the specs that are there" luajit scripts/spec_index.lua --check
+check "each field, setting, method and page has specs" luajit scripts/spec_index.lua
 
 check "an object is it, not a person" bash scripts/words.sh
 printf 'The box %s rests.\n' "wh""o" >build/words.md

@@ -4,35 +4,14 @@
 # With --all the examples too, in a window of LÖVE 11.5. With --only only the first.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
+. scripts/debian.sh
 
 place=$PWD/build/love-11.5
 stage=$PWD/build/love-scene
 
-# apt for another Debian, in a folder of its own: LÖVE and all that it needs, from where this machine
-# has its own packages.
-fetch_packages() {
-  local apt=$place/apt site
-  # shellcheck disable=SC2016 # it is apt that reads $(SITE)
-  site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | grep -v security | head -n 1)
-  mkdir -p "$apt/state/lists/partial" "$apt/cache/archives/partial"
-  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
-    "$site trixie main" >"$apt/sources.list"
-  local options=(-qq -o "Dir::State=$apt/state" -o "Dir::Cache=$apt/cache"
-    -o "Dir::State::status=/dev/null" -o "Dir::Etc::sourcelist=$apt/sources.list"
-    -o "Dir::Etc::sourceparts=-" -o "APT::Architecture=amd64" -o "APT::Architectures=amd64"
-    -o "APT::Install-Recommends=false" -o "APT::Sandbox::User=$(id -un)" -o "Debug::NoLocking=1")
-  apt-get "${options[@]}" update &&
-    apt-get "${options[@]}" --download-only --yes install love libgl1-mesa-dri libglx-mesa0
-}
-
 unpack() {
   [ ! -x "$place/love" ] || return 0
-  rm -rf "$place" && mkdir -p "$place/root"
-  fetch_packages || return
-  for package in "$place"/apt/cache/archives/*.deb; do
-    dpkg -x "$package" "$place/root" || return
-  done
-  rm -r "$place/apt"
+  fetch_debian "$place" amd64 --download-only --yes install love libgl1-mesa-dri libglx-mesa0 || return
   local libraries=$place/root/usr/lib/x86_64-linux-gnu
   # With its own C library, and its own driver for a window without a graphics card.
   cat >"$place/love" <<SCRIPT
@@ -54,13 +33,13 @@ os.exit(0)
 LUA
 number=$(luajit -e 'print(require("spec.golden").everything)')
 limited() { if command -v timeout >/dev/null; then timeout -k 2 120 "$@"; else "$@"; fi; }
-same_number() {
+known_number() {
   local there
   there=$(XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/tmp} limited "$1" "$stage") || return 1
   echo "$there; the spec says $number"
   [ -n "$number" ] && grep -qx "fold $number" <(tr -d '\r' <<<"$there")
 }
-check "the determinism scene gives the known number in LÖVE" same_number "${LOVE:-love}"
+check "the determinism scene gives the known number in LÖVE" known_number "${LOVE:-love}"
 is_new() { "$1" --version | grep -F "LOVE 11.5"; }
 if [ "${1:-}" = --only ] || is_new "${LOVE:-love}"; then
   finish
@@ -69,7 +48,7 @@ fi
 
 check "LÖVE 11.5 is there" unpack
 check "and it is that" is_new "$place/love"
-check "the determinism scene gives the known number in LÖVE 11.5" same_number "$place/love"
+check "the determinism scene gives the known number in LÖVE 11.5" known_number "$place/love"
 if [ "${1:-}" = --all ]; then
   counts=$(LOVE=$place/love bash scripts/examples.sh | tee /dev/stderr | tail -n 1)
   read -r good _ bad _ <<<"$counts"

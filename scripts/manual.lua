@@ -1,126 +1,111 @@
---- Writes the reference, docs/api.md and docs/api/, from the docstrings,
---- physics/fields/fields.lua and scripts/manual_examples.lua:
+--- Writes the reference, docs/api.md and docs/api/, from the docstrings and
+--- physics/fields/fields.lua:
 ---
 ---   luajit scripts/manual.lua           writes the pages
 ---   luajit scripts/manual.lua --names   prints the names for the editor of the playground, as JSON
+---
+--- What is written by hand stays: the text under the heading of a page or section, up to the first
+--- table, field or heading, and the example at the end of each function (the specs run it:
+--- spec/project/docs_spec.lua).
 
 package.path = "./?.lua;" .. package.path
 
 local docstrings = require("scripts.docstrings")
-local examples = require("scripts.manual_examples")
 local fields = require("scripts.meanings")
-local typedFields = require("scripts.typed_fields")
+local files = require("spec.support.files")
 
 local manual = {}
 
--- Only sentences that belong to no single function or field are written here.
-local INDEX = [[
-# Reference
-
-Every public field, setting, function and type. Editors with LuaLS or EmmyLua annotations show the
-same texts while you type. The [guide](guide/index.md) explains the ideas.
-
-- x grows to the right, y grows **down**. `x, y` is the top-left corner.
-- Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
-- A `?` marks an argument that you may leave out, and a result that may be nil.
-- Every method of a world is also a function of the module, for the default world:
-  `physics.update(dt)`.
-- A wrong value raises an error at the line of your game, and nothing has changed.
-- Refused everywhere: arguments, fields, settings and options that are unknown or of a wrong type
-  or range; NaN and infinity; objects that are not in the world (except in `remove`); a change
-  from inside `canCollide`. The entries list other errors only.
-]]
-
-local FIELDS = [[
-The fields of your tables that the library knows. Other fields are yours. The library writes `x,
-y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
-
-- Fields of dynamic and kinematic objects may change at any time.
-- A static object is read only once: after a change call `world:refresh`. `onBegin` and `onEnd`
-  are read when they are called.
-]]
-
-local AREAS = [[
-The entries of the field `area` of a [zone](../guide/motion.md#zones).
-]]
-
-local SETTINGS = [[
-Settings are given to `physics.newWorld` or `physics.load`. After that they are plain fields of
-the world: `world.gravity = 0`. To change `order` set another list; `masks` and `soft` may also be
-changed in place.
-]]
-
-local WORLD = [[
-`local world = physics.newWorld(settings)`. The [settings](settings.md) are plain fields of a
-world, and so are these:
-]]
-
-local PURE = [[
-Pure functions of the tutorial. They need no world.
-]]
-
-local QUERIES = [[
-Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) has a
-table of questions.
-
-- `filter` says which objects count, default all: the name of a group, a list of names, or a
-  function of the object.
-- `out` is a list that is filled again in place of a new one.
-- Lists are in the order of the world, and come with their length `count`.
-- To overlap is to do so by more than 1e-6 px. With the setting `sideBySide` flush objects
-  count, too.
-]]
-
-local TYPES = [[
-Your editor shows these names; at run time they are plain tables. A class of your own is
-`---@class Player: physics.Object`. A local that is filled later is `local player ---@type
-physics.Object`.
-]]
-
-local MAPS = [[
-How to make maps that work: [Maps](../maps.md).
-]]
-
-local ATLAS = [[
-The result of `world:loadTiled` for a world of the editor: see
-[Maps](../maps.md#worlds-of-several-maps).
-]]
-
-local TILES = [[
-The result of `world:addTiles`, and the values of `level.tileLayers` of a map from Tiled or LDtk.
-]]
+local function set(texts)
+  local found = {}
+  for text in texts:gmatch("%s*([^;]+)") do
+    found[text:gsub("%s+$", "")] = true
+  end
+  return found
+end
 
 -- The tables of the fields of objects.
 local GROUPS = {
-  { title = "Place and shape", names = "x y width height radius slope" },
-  { title = "Kind", names = "static kinematic active sensor area" },
+  { "Place and shape", "x y width height radius slope" },
+  { "Kind", "static kinematic active sensor area" },
   {
-    title = "Motion",
-    names = "vx vy ax ay gravity gravityX airFriction drag "
-      .. "maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
+    "Motion",
+    "vx vy ax ay gravity gravityX airFriction drag maxSpeed maxSpeedX maxSpeedY maxFallSpeed",
   },
-  { title = "Walking and riding", names = "nudge snap constantSpeed carry surfaceSpeed" },
-  {
-    title = "Contacts",
-    names = "touching mass pushable strength friction restitution mask hits oneWay",
-  },
-  { title = "Events", names = "onBegin onStay onEnd onCrush canCollide" },
+  { "Walking and riding", "nudge snap constantSpeed carry surfaceSpeed" },
+  { "Contacts", "touching mass pushable strength friction restitution mask hits oneWay" },
+  { "Events", "onBegin onStay onEnd onCrush canCollide" },
 }
 
--- What each page of docs/api/ is about, in the order of the index.
+-- The files with the types of two pages.
+local WORLD, MAPS = { "physics/types.lua" }, {}
+for _, name in ipairs({ "world", "queryMethods", "draw" }) do
+  WORLD[#WORLD + 1] = ("physics/world/%s.lua"):format(name)
+end
+for _, name in ipairs({ "tiles", "array", "tiled", "atlas", "ldtk" }) do
+  MAPS[#MAPS + 1] = ("physics/maps/%s.lua"):format(name)
+end
+
+-- The pages of docs/api/, in the order of the index: the owners of functions and the headings of
+-- their parts, and the files with types.
 local PAGES = {
   { name = "fields", title = "Fields of objects" },
   { name = "settings", title = "Settings" },
-  { name = "world", title = "The module and its worlds" },
-  { name = "queries", title = "Queries and moves" },
-  { name = "maps", title = "Maps and tiles" },
-  { name = "types", title = "Types" },
+  {
+    name = "world",
+    title = "The module and its worlds",
+    parts = { "physics", "World", "## The tutorial's functions", "pure" },
+  },
+  { name = "queries", title = "Queries and moves", parts = { "World" } },
+  {
+    name = "maps",
+    title = "Maps and tiles",
+    parts = { "World", "## Tiles", "Tiles", "## Levels of several maps", "Atlas" },
+    types = MAPS,
+  },
+  { name = "types", title = "Types", types = WORLD },
 }
 
--- Functions that stand on another page than their file says.
-local ON_WORLD = { ["world:draw"] = true, ["world:interpolate"] = true }
-local ON_MAPS = { ["world:loadTiled"] = true, ["world:addTiles"] = true, ["world:loadLDtk"] = true }
-local ON_QUERIES = { ["world:move"] = true }
+-- Methods of worlds that stand on other pages than "world".
+local PAGE_OF = { loadTiled = "maps", addTiles = "maps", loadLDtk = "maps", move = "queries" }
+for _, entry in ipairs(docstrings.read({ "physics/world/queryMethods.lua" })) do
+  PAGE_OF[entry.name] = PAGE_OF[entry.name] or "queries"
+end
+PAGE_OF.draw, PAGE_OF.interpolate = "world", "world"
+
+-- Types that are the tables of fields, or of no use to a game.
+local HIDDEN = set([[
+  physics.World; physics.NewObject; physics.NewBox; physics.NewCircle; physics.ObjectFields;
+  physics.Object; physics.Settings; physics.WorldSettings; physics.DefaultWorld; physics.Area
+]])
+
+-- Types with fields that the page Maps lists.
+local ON_MAPS_PAGE = set([[
+  physics.TiledOptions; physics.LDtkOptions; physics.TileOptions; physics.Level; physics.LDtkLevel;
+  physics.TilePlace; physics.Mark; physics.AtlasMap
+]])
+
+-- Texts of parameters and results that the head of the index or of a page says once.
+local KNOWN = set([[
+  px; the object; an object of the world; one of the two; the other one; a dynamic object;
+  which objects are pushed, default all; which objects count, default all;
+  list to fill, default a new one; in the order of the world
+]])
+
+-- Errors that the index says of every function, as patterns.
+local COMMON = {
+  "^it is called",
+  "^an unknown option",
+  "^[^w].* cannot be used$",
+  "^%w+ %w+ is <= 0$",
+  " is not an? [^,]*$",
+  " is not a table, or not in the world$",
+  " is not finite$",
+  " would refuse$",
+  " NaN ",
+  " no usable ",
+  "changed then%)$",
+}
 
 local function add(lines, ...)
   for i = 1, select("#", ...) do
@@ -128,14 +113,52 @@ local function add(lines, ...)
   end
 end
 
--- A bar would end the cell of a table.
-local function cell(text)
-  return (text:gsub("|", "\\|"))
+local function code(text)
+  return "`" .. text .. "`"
 end
 
-local function code(kind)
-  return "`" .. kind .. "`"
+-- All functions in the order of their files, with their `full` name and `page`.
+local FUNCTIONS = {}
+for _, source in ipairs(docstrings.SOURCES) do
+  for _, entry in ipairs(docstrings.functions(source)) do
+    local isMap = source.owner == "Tiles" or source.owner == "Atlas"
+    local page = source.owner == "World" and PAGE_OF[entry.name]
+    entry.full = source.place .. entry.name
+    entry.page = page or isMap and "maps" or "world"
+    FUNCTIONS[#FUNCTIONS + 1] = entry
+  end
 end
+
+local function typesOf(page)
+  local list = {}
+  for _, entry in ipairs(docstrings.read(page.types or {})) do
+    list[#list + 1] = entry.kind ~= "function" and not HIDDEN[entry.name] and entry or nil
+  end
+  return list
+end
+
+-- What is written by hand ------------------------------------------------------------------------
+
+-- Returns the text of a page below a heading, up to the next one.
+local function sectionOf(page, heading)
+  local _, from = ("\n" .. page):find("\n" .. heading .. "\n", 1, true)
+  local text = from and page:sub(from) or ""
+  return text:sub(1, (text:find("\n##? ") or 0) - 1)
+end
+
+-- Adds a heading and the text below it that is written by hand.
+local function addHeading(lines, old, heading)
+  add(lines, heading, "")
+  for line in sectionOf(old, heading):gmatch("([^\n]*)\n") do
+    if line:find("^|") or line:find("^%*%*%[") or line:find("^%- `world%.") then
+      break
+    end
+    add(lines, line)
+  end
+  add(lines, "")
+end
+
+-- Fields -----------------------------------------------------------------------------------------
 
 local function fieldMeaning(field)
   local meaning = field.meaning
@@ -145,29 +168,18 @@ local function fieldMeaning(field)
   if field.signature then
     meaning = ("`%s%s` %s"):format(field.name, field.signature, meaning)
   end
-  return meaning
+  return (meaning:gsub("|", "\\|")) -- a bar would end the cell of the table
 end
 
 -- Kinds of values in a narrow column; the editor's types say more.
-local KINDS = {
-  number = "",
-  mask = "table",
-  masks = "table",
-  soft = "table",
-  names = "list",
-  ownFields = "list",
-  sides = "table",
-  area = "table",
-}
+local KINDS = { number = "", names = "list", ownFields = "list", sides = "table", area = "table" }
+KINDS.mask, KINDS.masks, KINDS.soft = "table", "table", "table"
 
 -- Returns what a value is: "px, > 0", "boolean", "table, px/s".
 local function kindOf(field)
   local parts = {}
-  local kind = KINDS[field.type] or field.type
-  for _, part in ipairs({ kind, field.unit or "", typedFields.range(field) }) do
-    if part ~= "" then
-      parts[#parts + 1] = part
-    end
+  for _, part in ipairs({ KINDS[field.type] or field.type, field.unit or "", field.range }) do
+    parts[#parts + 1] = part ~= "" and part or nil
   end
   return table.concat(parts, ", ")
 end
@@ -177,8 +189,8 @@ local function addFields(lines, list, place)
   add(lines, "| name | value | default | meaning |", "|---|---|---|---|")
   for _, field in ipairs(list) do
     local row = '| <a id="%s-%s"></a>`%s` | %s | %s | %s |'
-    local default, meaning = typedFields.default(field), cell(fieldMeaning(field))
-    add(lines, row:format(place, field.name:lower(), field.name, kindOf(field), default, meaning))
+    local name, kind, meaning = field.name, kindOf(field), fieldMeaning(field)
+    add(lines, row:format(place, name:lower(), name, kind, field.standard, meaning))
   end
   add(lines, "")
 end
@@ -188,10 +200,10 @@ local function addGroups(lines)
   local named, rest = {}, {}
   for _, group in ipairs(GROUPS) do
     local rows = {}
-    for name in group.names:gmatch("%S+") do
+    for name in group[2]:gmatch("%S+") do
       rows[#rows + 1], named[name] = assert(fields.objectByName[name], name), true
     end
-    add(lines, "## " .. group.title, "")
+    add(lines, "## " .. group[1], "")
     addFields(lines, rows, "field")
   end
   for _, field in ipairs(fields.objects) do
@@ -203,35 +215,7 @@ local function addGroups(lines)
   end
 end
 
--- Types that are the tables of fields above, or of no use to a game.
-local HIDDEN = {
-  ["physics.World"] = true,
-  ["physics.NewObject"] = true,
-  ["physics.NewBox"] = true,
-  ["physics.NewCircle"] = true,
-  ["physics.ObjectFields"] = true,
-  ["physics.Object"] = true,
-  ["physics.Settings"] = true,
-  ["physics.WorldSettings"] = true,
-  ["physics.DefaultWorld"] = true,
-  ["physics.Area"] = true,
-}
-
--- Texts of parameters and results that the head of the index or of a page says once.
-local KNOWN = {
-  ["px"] = true,
-  ["the object"] = true,
-  ["an object of the world"] = true,
-  ["one of the two"] = true,
-  ["the other one"] = true,
-  ["a dynamic object"] = true,
-  ["which objects are pushed, default all"] = true,
-  ["which objects count, default all"] = true,
-  ["list to fill, default a new one"] = true,
-  ["in the order of the world"] = true,
-}
-
-local LIKE = { likewise = true }
+-- Functions and types ----------------------------------------------------------------------------
 
 -- Joins neighbours in a list that say the same of the same type: "`x`, `y` (`number`): px".
 local function joined(list)
@@ -239,7 +223,7 @@ local function joined(list)
   for _, param in ipairs(list) do
     local last = items[#items]
     local isSame = last and last.type == param.type
-    if isSame and (last.text == param.text or LIKE[param.text]) then
+    if isSame and (last.text == param.text or param.text == "likewise") then
       last.name = last.name .. "`, `" .. param.name
     elseif not KNOWN[param.text] then
       items[#items + 1] = { name = param.name, type = param.type, text = param.text }
@@ -266,38 +250,6 @@ local function addItems(lines, list, mark, isTerse)
   end
 end
 
--- What the index says of every function.
-local COMMON = {
-  "it is called from inside `canCollide`",
-  "a number is not finite",
-  "a coordinate is not a finite number",
-  "a distance is not a finite number",
-  "the object is not a table, or not in the world",
-  "the object is not a table",
-  "`a` or `b` is not a table, or not in the world",
-  "`a` or `b` is not a table",
-  "the filter cannot be used",
-  "a filter cannot be used",
-  "`out` is not a table",
-  "a size is <= 0",
-  "the radius is <= 0",
-  "a setting is unknown or has a value that cannot be used",
-  "an unknown option, or a wrong value for one",
-  "a field has a value that cannot be used",
-  "a field of an object cannot be used",
-  "a field or setting that `update` would refuse",
-  "a group, key, field or setting has a value that cannot be used (nothing has changed then)",
-  "the group is not a string or a number",
-  "dt is not a number >= 0",
-  "the count is not an integer >= 1",
-  "`vx`, `vy` or `mass` of an object cannot be used",
-  "its `vx`, `vy` or `mass` cannot be used",
-  "a number is missing, NaN or infinite",
-  "`a` or `b` has no usable x, y, width, height",
-  "`sideBySide` is not a boolean",
-  "the cells, the size or an option cannot be used",
-}
-
 -- Returns the errors of a function that are its own, or nil.
 local function ownErrors(text)
   text = text:gsub("%s*Nothing has [^.]+ then%.", ""):gsub("%.$", "")
@@ -305,7 +257,7 @@ local function ownErrors(text)
   for clause in (text .. ";"):gmatch("%s*(.-);") do
     local isCommon = false
     for _, common in ipairs(COMMON) do
-      isCommon = isCommon or clause == common
+      isCommon = isCommon or clause:find(common)
     end
     if not isCommon then
       own[#own + 1] = clause
@@ -339,7 +291,7 @@ local function addText(lines, text)
 end
 
 -- "object, x, y = world:raycast(x1, y1, x2, y2, filter?)"
-local function signature(entry, place)
+local function signature(entry)
   local results, parameters = {}, {}
   for i, result in ipairs(entry.returns) do
     results[i] = result.name == "" and result.type:match("([%w_]+)%??$"):lower() or result.name
@@ -349,76 +301,21 @@ local function signature(entry, place)
     parameters[i] = param.name .. (isOptional and "?" or "")
   end
   local head = #results > 0 and table.concat(results, ", ") .. " = " or ""
-  return ("%s%s%s(%s)"):format(head, place, entry.name, table.concat(parameters, ", "))
+  return ("%s%s(%s)"):format(head, entry.full, table.concat(parameters, ", "))
 end
 
-local function addFunction(lines, entry, place)
-  local name = place .. entry.name
-  add(lines, "## " .. name, "", code(signature(entry, place)), "")
-  addText(lines, entry.text)
-  addItems(lines, entry.params, "", true)
-  addItems(lines, entry.returns, "returns ", true)
-  add(lines, "")
-  if examples[name] then
-    add(lines, "```lua", (examples[name]:gsub("\n$", "")), "```", "")
-  end
-end
-
--- The file, the table and the beginning of the names of each list of functions.
-local SOURCES = {
-  { "physics.lua", "physics", "physics." },
-  { "physics/world/tutorial.lua", "pure", "physics." },
-  { docstrings.WORLD, "World", "world:" },
-  { "physics/maps/tiles.lua", "Tiles", "tiles:" },
-  { "physics/maps/atlas.lua", "Atlas", "level:" },
-}
-
--- Returns the page of a function of docs/api/.
-local function pageOf(name, entry)
-  if ON_MAPS[name] or name:find("^tiles:") or name:find("^level:") then
-    return "maps"
-  elseif ON_WORLD[name] or name:find("^physics%.") then
-    return "world"
-  elseif ON_QUERIES[name] then
-    return "queries"
-  end
-  return entry.path:find("queryMethods", 1, true) and "queries" or "world"
-end
-
--- All functions in the order of their files: `entry`, `place`, `name`, `page`, `owner`.
-local function functions()
-  local found = {}
-  for _, source in ipairs(SOURCES) do
-    local paths = type(source[1]) == "table" and source[1] or { source[1] }
-    for _, path in ipairs(paths) do
-      local _, list = docstrings.functions(path, source[2])
-      for _, entry in ipairs(list) do
-        entry.path = path
-        local name = source[3] .. entry.name
-        found[#found + 1] = {
-          entry = entry,
-          place = source[3],
-          name = name,
-          page = pageOf(name, entry),
-          owner = source[2],
-        }
-      end
+local function addFunctions(lines, old, page, owner)
+  for _, entry in ipairs(FUNCTIONS) do
+    if entry.page == page and entry.owner == owner then
+      local heading = "## " .. entry.full
+      add(lines, heading, "", code(signature(entry)), "")
+      addText(lines, entry.text)
+      addItems(lines, entry.params, "", true)
+      addItems(lines, entry.returns, "returns ", true)
+      add(lines, "", sectionOf(old, heading):match("\n(```lua\n.-\n```)\n*$") or "", "")
     end
   end
-  return found
 end
-
--- Types with fields that the page Maps lists.
-local ON_MAPS_PAGE = {
-  ["physics.TiledOptions"] = true,
-  ["physics.LDtkOptions"] = true,
-  ["physics.TileOptions"] = true,
-  ["physics.Level"] = true,
-  ["physics.LDtkLevel"] = true,
-  ["physics.TilePlace"] = true,
-  ["physics.Mark"] = true,
-  ["physics.AtlasMap"] = true,
-}
 
 local function addType(lines, entry)
   add(lines, ("## %s (type)"):format(entry.name), "")
@@ -441,45 +338,21 @@ local function addType(lines, entry)
   add(lines, "")
 end
 
-local function addTypes(lines, paths)
-  for _, entry in ipairs(docstrings.read(paths)) do
-    if entry.kind ~= "function" and not HIDDEN[entry.name] then
-      addType(lines, entry)
-    end
+local function addTypes(lines, page)
+  for _, entry in ipairs(typesOf(page)) do
+    addType(lines, entry)
   end
 end
 
--- The fields of a world that are not settings.
 local function addWorldFields(lines)
-  for _, entry in ipairs(docstrings.read(docstrings.WORLD)) do
-    for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
-      if field.name:find("^%a") then
-        add(
-          lines,
-          item({ name = "world." .. field.name, type = field.type, text = field.text }, "")
-        )
-      end
+  for _, field in ipairs(docstrings.worldFields()) do
+    if field.name:find("^%a") then
+      field.name = "world." .. field.name
+      add(lines, item(field, ""))
     end
   end
   add(lines, "")
 end
-
--- The files with the types of each page.
-local TYPES_OF = {
-  types = {
-    "physics/types.lua",
-    "physics/world/world.lua",
-    "physics/world/queryMethods.lua",
-    "physics/world/draw.lua",
-  },
-  maps = {
-    "physics/maps/tiles.lua",
-    "physics/maps/array.lua",
-    "physics/maps/tiled.lua",
-    "physics/maps/atlas.lua",
-    "physics/maps/ldtk.lua",
-  },
-}
 
 -- Links -------------------------------------------------------------------------------------------
 
@@ -491,15 +364,13 @@ end
 -- its full name and, unless a field or setting has the same name, under the short one.
 local function targets()
   local found = {}
-  for _, each in ipairs(functions()) do
-    local target = each.page .. ".md" .. anchorOf(each.name)
-    found[each.name], found[each.entry.name] = target, target
+  for _, entry in ipairs(FUNCTIONS) do
+    local target = entry.page .. ".md" .. anchorOf(entry.full)
+    found[entry.full], found[entry.name] = target, target
   end
-  for page, paths in pairs(TYPES_OF) do
-    for _, entry in ipairs(docstrings.read(paths)) do
-      if entry.kind ~= "function" and not HIDDEN[entry.name] then
-        found[entry.name] = page .. ".md" .. anchorOf(entry.name) .. "-type"
-      end
+  for _, page in ipairs(PAGES) do
+    for _, entry in ipairs(typesOf(page)) do
+      found[entry.name] = page.name .. ".md" .. anchorOf(entry.name) .. "-type"
     end
   end
   for _, field in ipairs(fields.settings) do
@@ -553,113 +424,82 @@ end
 
 -- The pages --------------------------------------------------------------------------------------
 
-local function addFunctions(lines, page, owner)
-  for _, each in ipairs(functions()) do
-    if each.page == page and each.owner == owner then
-      addFunction(lines, each.entry, each.place)
-    end
-  end
-end
+-- What pages begin with.
+local begin = { world = addWorldFields }
 
-local write = {}
-
-function write.fields(lines)
-  add(lines, FIELDS)
+function begin.fields(lines, old)
   addGroups(lines)
-  add(lines, "## Areas", "", AREAS)
+  addHeading(lines, old, "## Areas")
   addFields(lines, fields.area, "area")
 end
 
-function write.settings(lines)
-  add(lines, SETTINGS)
+function begin.settings(lines)
   addFields(lines, fields.settings, "setting")
 end
 
-function write.world(lines)
-  add(lines, WORLD)
-  addWorldFields(lines)
-  addFunctions(lines, "world", "physics")
-  addFunctions(lines, "world", "World")
-  add(lines, "## The tutorial's functions", "", PURE)
-  addFunctions(lines, "world", "pure")
-end
-
-function write.queries(lines)
-  add(lines, QUERIES)
-  addFunctions(lines, "queries", "World")
-end
-
-function write.maps(lines)
-  add(lines, MAPS)
-  addFunctions(lines, "maps", "World")
-  add(lines, "## Tiles", "", TILES)
-  addFunctions(lines, "maps", "Tiles")
-  add(lines, "## Levels of several maps", "", ATLAS)
-  addFunctions(lines, "maps", "Atlas")
-  addTypes(lines, TYPES_OF.maps)
-end
-
-function write.types(lines)
-  add(lines, TYPES)
-  addTypes(lines, TYPES_OF.types)
-end
-
-local function index()
-  local lines = { INDEX }
-  for _, page in ipairs(PAGES) do
-    add(lines, ("**[%s](api/%s.md)**"):format(page.title, page.name))
-    local names = {}
-    for _, each in ipairs(functions()) do
-      if each.page == page.name then
-        names[#names + 1] = code(each.name)
-      end
-    end
-    add(lines, #names > 0 and ": " .. table.concat(names, " ") or "", "")
+local function addPage(lines, old, page)
+  addHeading(lines, old, "# " .. page.title)
+  if begin[page.name] then
+    begin[page.name](lines, old)
   end
-  return addLinks(lines, "index"):gsub("%*%*\n: ", "**: ")
+  for _, part in ipairs(page.parts or {}) do
+    if part:find("^#") then
+      addHeading(lines, old, part)
+    else
+      addFunctions(lines, old, page.name, part)
+    end
+  end
+  addTypes(lines, page)
+end
+
+local function index(old)
+  local lines = {}
+  addHeading(lines, old, "# Reference")
+  for _, page in ipairs(PAGES) do
+    local names = {}
+    for _, entry in ipairs(FUNCTIONS) do
+      names[#names + 1] = entry.page == page.name and code(entry.full) or nil
+    end
+    local head = ("**[%s](api/%s.md)**"):format(page.title, page.name)
+    add(lines, head .. (names[1] and ": " or "") .. table.concat(names, " "), "")
+  end
+  return addLinks(lines, "index")
+end
+
+local function pathOf(page)
+  return "docs/api/" .. page.name .. ".md"
 end
 
 --- Returns the pages of the reference: path -> text.
 ---@return table<string, string>
 function manual.pages()
-  local pages = { ["docs/api.md"] = (index()) }
+  local pages = { ["docs/api.md"] = index(files.read("docs/api.md")) }
   for _, page in ipairs(PAGES) do
-    local lines = { "# " .. page.title, "" }
-    write[page.name](lines)
-    pages["docs/api/" .. page.name .. ".md"] = addLinks(lines, page.name)
+    local lines = {}
+    addPage(lines, files.read(pathOf(page)), page)
+    pages[pathOf(page)] = addLinks(lines, page.name)
   end
   return pages
-end
-
-local function quoted(text)
-  return '"' .. text:gsub('[%c"\\]', { ['"'] = '\\"', ["\\"] = "\\\\", ["\n"] = " " }) .. '"'
-end
-
--- Adds a name with what it is, what it means, and where the reference has it.
-local function addName(list, name, kind, detail, text, place)
-  local values = { name, kind, detail, text, "api/" .. place:gsub("%.md#", "/#") }
-  for i, value in ipairs(values) do
-    values[i] = quoted(value)
-  end
-  list[#list + 1] = "[" .. table.concat(values, ",") .. "]"
 end
 
 --- Returns all names as JSON: a list of [name, "function"|"field"|"setting", detail, text, place].
 ---@return string
 function manual.names()
   local list = {}
-  for _, each in ipairs(functions()) do
-    local text = (table.concat(each.entry.text, " ") .. " "):match("^(.-%.) ")
-    local place = each.page .. ".md" .. anchorOf(each.name)
-    addName(list, each.name, "function", signature(each.entry, each.place), text, place)
+  local function addName(...)
+    list[#list + 1] = ("[%q,%q,%q,%q,%q]"):format(...)
   end
-  for _, field in ipairs(fields.objects) do
-    local place = "fields.md#field-" .. field.name:lower()
-    addName(list, field.name, "field", kindOf(field), field.meaning, place)
+  for _, entry in ipairs(FUNCTIONS) do
+    local text = (table.concat(entry.text, " ") .. " "):match("^(.-%.) ")
+    local place = "api/" .. entry.page .. "/" .. anchorOf(entry.full)
+    addName(entry.full, "function", signature(entry), text, place)
   end
-  for _, field in ipairs(fields.settings) do
-    local place = "settings.md#setting-" .. field.name:lower()
-    addName(list, field.name, "setting", kindOf(field), field.meaning, place)
+  for _, row in ipairs({ { "field", "objects" }, { "setting", "settings" } }) do
+    local kind, page = row[1], row[1] == "field" and "fields" or "settings"
+    for _, field in ipairs(fields[row[2]]) do
+      local place = ("api/%s/#%s-%s"):format(page, kind, field.name:lower())
+      addName(field.name, kind, kindOf(field), field.meaning, place)
+    end
   end
   return "[" .. table.concat(list, ",\n") .. "]\n"
 end
@@ -668,11 +508,8 @@ local isProgram = arg and arg[0] and arg[0]:find("scripts/manual.lua", 1, true)
 if isProgram and arg[1] == "--names" then
   io.write(manual.names())
 elseif isProgram then
-  os.execute("mkdir -p docs/api")
   for path, text in pairs(manual.pages()) do
-    local file = assert(io.open(path, "wb"))
-    file:write(text)
-    file:close()
+    files.write(path, text)
   end
 end
 

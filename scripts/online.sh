@@ -62,14 +62,6 @@ at_most() {
   done
 }
 
-figures() {
-  local side
-  for side in host join; do
-    grep -E '^(ping|mostBack|longest|mostBytes)' "$logs/$1.$side" | tr '\n' ' ' | sed "s/^/        $side: /"
-    echo
-  done
-}
-
 for ping in 0 60 150; do
   for loss in 0 2 10; do
     pair "$ping-$loss" "$seconds" "$ping" "$loss"
@@ -83,7 +75,6 @@ for ping in 0 60 150; do
     check "$what: neither waits longer than 150 ms" at_most 150 longestWait "$name" longestSleep
     check "$what: at most 4 kB a second" at_most 4000 mostBytes "$name"
     check "$what: the frame with the longest rollback takes at most 8 ms" at_most 8 longestRollback "$name"
-    figures "$name"
   done
 done
 

@@ -9,19 +9,20 @@ target=docs/pictures
 work=$PWD/build/film
 rm -rf "$work" && mkdir -p "$target" "$work"
 
-in_love() { xvfb-run -a timeout -k 2 300 love examples --bare "$@"; }
+in_love() { love_in examples --bare "$@"; }
+draw() { love_in scripts/pictures "$@"; }
 ffmpeg_quiet() { ffmpeg -hide_banner -loglevel error -y "$@"; }
 
 # The bar with the keys, at the bottom, is left away.
 GAME="crop=960:606:0:0"
 
-# film GIF EXAMPLE FIRST LAST [KEYS]: films an example, and adds some of its pictures (15 a second)
-# to those of a GIF.
+# film NAME EXAMPLE FIRST LAST KEYS: films an example, and adds some of its pictures (15 a second) to
+# those of an animation.
 film() {
   local all=$work/$1 folder=$work/$1/$2 number i
   mkdir -p "$folder"
   number=$(find "$all" -maxdepth 1 -name "*.png" | wc -l)
-  in_love --example="$2" --frames=$(($4 * 4)) --keys="${5:-}" --film="$folder" || return 1
+  in_love --example="$2" --frames=$(($4 * 4)) --keys="$5" --film="$folder" || return 1
   for ((i = $3; i <= $4; i++)); do
     number=$((number + 1))
     cp "$folder/$(printf %04d "$i").png" "$all/$(printf %04d "$number").png" || return 1
@@ -44,7 +45,7 @@ animate() {
 # clip NAME FRAMES: one of scripts/pictures/clips.lua, 20 pictures a second.
 clip() {
   mkdir -p "$work/$1"
-  xvfb-run -a timeout -k 2 60 love scripts/pictures "$1" "$work/$1" "$2" || return 1
+  draw "$1" "$work/$1" "$2" || return 1
   animate "$1" 20 45 "scale=320:-1:flags=lanczos" && video "$1" 20 "scale=480:-2:flags=lanczos"
 }
 
@@ -52,91 +53,84 @@ clip() {
 compare() {
   local filters="fps=10,scale=720:-1:flags=area,split[a][b];[a]palettegen=max_colors=24[p]"
   mkdir -p "$work/compare"
-  xvfb-run -a timeout -k 2 300 love examples/compare --path "$BUMP" --record "$work/compare" || return 1
+  love_in examples/compare --path "$BUMP" --record "$work/compare" || return 1
   ffmpeg_quiet -framerate 15 -i "$work/compare/%04d.png" \
     -filter_complex "$filters;[b][p]paletteuse=dither=none" "$target/compare.gif" || return 1
   video compare 15 "scale=960:-2:flags=area"
 }
 
-# still NAME EXAMPLE FRAMES [KEYS]
-still() {
-  local filters="$GAME,scale=720:-1:flags=lanczos,split[a][b];[a]palettegen[p]"
-  in_love --example="$2" --frames="$3" --keys="${4:-}" --shot="$work/$1.png" || return 1
-  ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters;[b][p]paletteuse" "$target/$1.png"
-}
-
-# scene NAME: one of scripts/pictures/scenes.lua
-scene() {
-  local filters="split[a][b];[a]palettegen[p];[b][p]paletteuse"
-  xvfb-run -a timeout -k 2 60 love scripts/pictures "$1" "$work/$1.png" || return 1
-  ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters" "$target/$1.png"
-}
-
-# step NAME CROP: a program of docs/steps/.
-step() {
-  local filters="crop=$2,scale=480:-1:flags=lanczos,split[a][b];[a]palettegen[p]"
-  xvfb-run -a timeout -k 2 60 love scripts/pictures "$1" "$work/$1.png" || return 1
-  ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters;[b][p]paletteuse" "$target/$1.png"
-}
-
+# smaller_than BYTES FILE COMMAND...: the command leaves the file, with less than so many bytes.
 smaller_than() {
   local size
+  "${@:3}" || return 1
   size=$(wc -c <"$2")
   echo "$2 has $size bytes, expected less than $1"
   [ "$size" -lt "$1" ]
 }
 
-hills=$(cat examples/demos/hills.keys)
-check "hills is filmed" film hills hills 44 77 "$hills"
-check "hills is filmed in the mine" film hills hills 382 419 "$hills"
-check "hills is animated" animate hills 15 40 "$GAME,fps=12,scale=640:-1:flags=lanczos"
-check "its film has less than 400 kB" smaller_than 400000 "$target/hills.webp"
-check "hills is a video" video hills 15 "$GAME,scale=960:-2:flags=lanczos"
-check "that has less than 350 kB" smaller_than 350000 "$target/hills.mp4"
+# still NAME FILTERS COMMAND...: the command leaves a picture, which gets few colours.
+still() {
+  paint() {
+    "${@:3}" || return 1
+    ffmpeg_quiet -i "$work/$1.png" \
+      -filter_complex "$2,split[a][b];[a]palettegen[p];[b][p]paletteuse" "$target/$1.png"
+  }
+  check "$1 is drawn, in less than 200 kB" smaller_than 200000 "$target/$1.png" paint "$@"
+}
+
+demo() { cat "examples/demos/$1.keys"; }
+check "hills is filmed" film hills hills 44 77 "$(demo hills)"
+check "hills is filmed in the mine" film hills hills 382 419 "$(demo hills)"
+check "hills is animated, in less than 400 kB" smaller_than 400000 "$target/hills.webp" \
+  animate hills 15 40 "$GAME,fps=12,scale=640:-1:flags=lanczos"
+check "hills is a video, in less than 350 kB" smaller_than 350000 "$target/hills.mp4" \
+  video hills 15 "$GAME,scale=960:-2:flags=lanczos"
 
 for each in "seams 40" "stack 44" "ride 40" "bullets 40" "rates 40" "bits 58"; do
   read -r name frames <<<"$each"
-  check "the clip $name is filmed" clip "$name" "$frames"
-  check "it has less than 100 kB" smaller_than 100000 "$target/$name.webp"
+  check "the clip $name is filmed, in less than 100 kB" smaller_than 100000 "$target/$name.webp" \
+    clip "$name" "$frames"
 done
 
 if [ -n "${BUMP:-}" ]; then
-  check "the engines are compared" compare
-  check "that film has less than 150 kB" smaller_than 150000 "$target/compare.gif"
+  check "the engines are compared, in less than 150 kB" smaller_than 150000 "$target/compare.gif" compare
 fi
 
-platformer=$(cat examples/demos/platformer.keys)
-lifts=$(cat examples/demos/lifts.keys)
-check "hills is drawn" still hills hills 330 "$hills"
-GAME="crop=720:405:120:201" check "pile is drawn" still pile pile 200
-GAME="crop=760:250:100:356" check "a heap of balls is drawn" still balls pile 110 "o:2"
-check "lifts is drawn" still lifts lifts 1000 "$lifts"
-check "platformer is drawn" still platformer platformer 300 "$platformer"
-check "tutorial is drawn" still tutorial tutorial 800 "$(cat examples/demos/tutorial.keys)"
-check "topdown is drawn" still topdown topdown 400 "$(cat examples/demos/topdown.keys)"
-check "breakout is drawn" still breakout breakout 500 "$(cat examples/demos/breakout.keys)"
-check "survivors is drawn" still survivors survivors 1100 "$(cat examples/demos/survivors.keys)"
-check "rollback is drawn" still rollback rollback 372 "$(cat examples/demos/rollback.keys)"
-check "online is drawn" still online online 330 "$(cat examples/demos/online.keys)"
-check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
-check "rooms is drawn" still rooms rooms 130 "$(cat examples/demos/rooms.keys)"
-check "marbles is drawn" still marbles marbles 1300
-for name in hills pile balls lifts platformer tutorial topdown survivors breakout rollback online tiled rooms marbles; do
-  check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
-done
+# The name of a picture, the example, how many frames, the keys (demo: those that are recorded), what is seen.
+while read -r name example frames keys crop; do
+  case $keys in
+    -) keys="" ;;
+    demo) keys=$(demo "$example") ;;
+  esac
+  still "$name" "${crop:-$GAME},scale=720:-1:flags=lanczos" \
+    in_love --example="$example" --frames="$frames" --keys="$keys" --shot="$work/$name.png"
+done <<'PICTURES'
+hills hills 330 demo
+pile pile 200 - crop=720:405:120:201
+balls pile 110 o:2 crop=760:250:100:356
+lifts lifts 1000 demo
+platformer platformer 300 demo
+tutorial tutorial 800 demo
+topdown topdown 400 demo
+breakout breakout 500 demo
+survivors survivors 1100 demo
+rollback rollback 372 demo
+online online 330 demo
+tiled tiled 400 demo
+rooms rooms 130 demo
+marbles marbles 1300 -
+PICTURES
 
-for name in objects contacts filters queries platforms debugging; do
-  check "the scene of guide/$name.md is drawn" scene "guide-$name"
-  check "guide-$name has less than 200 kB" smaller_than 200000 "$target/guide-$name.png"
-done
-
-for name in hero lift enemy crumble checkpoint bullet; do
-  check "$name.lua is drawn" scene "kit-$name"
+for name in guide-{objects,contacts,filters,queries,platforms,debugging} \
+  kit-{hero,lift,enemy,crumble,checkpoint,bullet}; do
+  still "$name" null draw "$name" "$work/$name.png"
 done
 
 for number in 1 2 3 4 5 6 7; do
-  check "platformer$number is drawn" step "platformer$number" 800:330:0:110
-  check "topdown$number is drawn" step "topdown$number" 560:420:120:60
+  for each in "platformer$number 800:330:0:110" "topdown$number 560:420:120:60"; do
+    read -r name crop <<<"$each"
+    still "$name" "crop=$crop,scale=480:-1:flags=lanczos" draw "$name" "$work/$name.png"
+  done
 done
 
 echo "The pictures are in $target/"

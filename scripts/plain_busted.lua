@@ -7,7 +7,7 @@
 --   [--coverage] SPEC...
 --
 -- Prints what failed, and a line of counts. `--coverage` marks the lines of the core that are
--- run (scripts/coverage_marks.lua). As with busted every file loads the library anew, unless it was
+-- run (scripts/coverage.lua). As with busted every file loads the library anew, unless it was
 -- loaded before the specs; specs are named by all the `describe` around them, and a tag stands in
 -- such a name, as in #slow. The module lists what is not run, files and specs by name, with
 -- reasons: spec/gopher/left_out.lua.
@@ -79,40 +79,68 @@ local function fail(expected, found, message)
   error(text .. "expected " .. expected .. ", got " .. show(found), 3)
 end
 
-local function equal(expected, found, message)
-  if expected ~= found then
-    fail(show(expected), found, message)
-  end
-  return found
-end
-
-local function notEqual(unwanted, found, message)
-  if unwanted == found then
-    fail("another than " .. show(unwanted), found, message)
+-- An assertion of two values. A message is argument number `n` of those behind them, default 1.
+local function comparing(text, holds, n)
+  return function(expected, found, ...)
+    if not holds(expected, found, ...) then
+      fail(text .. show(expected), found, (select(n or 1, ...)))
+    end
+    return found
   end
 end
 
-local function same(expected, found, message)
-  if not isSame(expected, found) then
-    fail("what is the same as " .. show(expected), found, message)
+-- An assertion of one value.
+local function checking(text, holds)
+  return function(found, message)
+    if not holds(found) then
+      fail(text, found, message)
+    end
+    return found
   end
 end
 
-local function near(expected, found, tolerance, message)
-  if not (found >= expected - tolerance and found <= expected + tolerance) then
-    fail(show(expected) .. " +- " .. show(tolerance), found, message)
-  end
+local function find(pattern, found, init, plain)
+  return type(found) == "string" and found:find(pattern, init or 1, plain)
 end
 
-local function truthy(found, message)
-  if not found then
-    fail("anything but nil and false", found, message)
-  end
-  return found
+local assertions = {
+  equal = comparing("", function(expected, found)
+    return expected == found
+  end),
+  not_equal = comparing("another than ", function(unwanted, found)
+    return unwanted ~= found
+  end),
+  same = comparing("the same as ", function(expected, found)
+    return isSame(expected, found)
+  end),
+  near = comparing("about ", function(expected, found, tolerance)
+    return found >= expected - tolerance and found <= expected + tolerance
+  end, 2),
+  -- The pattern, and as in string.find where to begin and whether it is plain text.
+  matches = comparing("a match of ", find, 3),
+  truthy = checking("anything but nil and false", function(found)
+    return found
+  end),
+  is_not_nil = checking("anything but nil", function(found)
+    return found ~= nil
+  end),
+  is_true = checking("true", function(found)
+    return found == true
+  end),
+  is_false = checking("false", function(found)
+    return found == false
+  end),
+}
+for _, kind in ipairs({ "nil", "table", "function", "string", "number" }) do
+  assertions["is_" .. kind] = checking("a " .. kind, function(found)
+    return type(found) == kind
+  end)
 end
+assertions.is_near, assertions.is_truthy = assertions.near, assertions.truthy
+assertions.are, assertions.are_not = assertions, { equal = assertions.not_equal }
 
 -- As luassert does, without the place in front of a message.
-local function hasError(call, expected)
+function assertions.has_error(call, expected)
   local isFine, message = pcall(call)
   if type(message) == "string" then
     message = message:gsub("^.-:%d+: ", "", 1)
@@ -122,54 +150,13 @@ local function hasError(call, expected)
   end
 end
 
--- The pattern, and as in string.find where to begin and whether it is plain text.
-local function matches(pattern, found, init, plain)
-  if type(found) ~= "string" or not found:find(pattern, init or 1, plain) then
-    fail("what matches " .. show(pattern), found)
-  end
-end
-
-local function errorMatches(call, pattern, init, plain)
+function assertions.error_matches(call, pattern, init, plain)
   local isFine, message = pcall(call)
-  if isFine or type(message) ~= "string" or not message:find(pattern, init or 1, plain) then
+  if isFine or not find(pattern, message, init, plain) then
     fail("an error that matches " .. show(pattern), message)
   end
 end
 
-local assertions = {
-  equal = equal,
-  same = same,
-  near = near,
-  is_near = near,
-  truthy = truthy,
-  is_truthy = truthy,
-  has_error = hasError,
-  matches = matches,
-  error_matches = errorMatches,
-  not_equal = notEqual,
-  are = { equal = equal, same = same, near = near },
-  are_not = { equal = notEqual },
-}
-for _, value in ipairs({ true, false }) do
-  assertions["is_" .. tostring(value)] = function(found, message)
-    if found ~= value then
-      fail(tostring(value), found, message)
-    end
-  end
-end
-function assertions.is_not_nil(found, message)
-  if found == nil then
-    fail("anything but nil", found, message)
-  end
-  return found
-end
-for _, kind in ipairs({ "nil", "table", "function", "string", "number" }) do
-  assertions["is_" .. kind] = function(found, message)
-    if type(found) ~= kind then
-      fail("a " .. kind, found, message)
-    end
-  end
-end
 setmetatable(assertions, {
   __call = function(_, value, message, ...)
     if not value then
@@ -181,14 +168,14 @@ setmetatable(assertions, {
 
 -- Specs ------------------------------------------------------------------------------------------
 
--- A block is a `describe`, or the file around all of them.
-local block
+-- A block is a `describe`, or the file around all of them, which has the specs.
+local block, root
 
 -- What the running spec has asked for, to be called after it.
 local final
 
 local function newBlock(parent, name)
-  return { parent = parent, name = name, once = {}, before = {}, after = {}, specs = {} }
+  return { parent = parent, name = name, once = {}, before = {}, after = {} }
 end
 
 local function describe(name, define)
@@ -199,11 +186,7 @@ end
 
 local function it(name, spec)
   local full = (block.name .. " " .. name):gsub("^ ", "")
-  local list = block
-  while list.parent do
-    list = list.parent
-  end
-  list.specs[#list.specs + 1] = { name = full, run = spec, block = block }
+  table.insert(root.specs, { name = full, run = spec, block = block })
 end
 
 -- What is not reached yet: busted counts it as pending.
@@ -285,8 +268,8 @@ end
 local function runFile(path)
   forgetModules()
   block = newBlock(nil, "")
-  local root = block
-  root.last = {}
+  root = block
+  root.specs, root.last = {}, {}
   assert(loadfile(path))()
   for _, spec in ipairs(root.specs) do
     if isExcluded(spec.name) then
@@ -324,10 +307,6 @@ local function install()
   end
   -- Later than in busted: when the whole file has been run.
   globals.teardown = function(hook)
-    local root = block
-    while root.parent do
-      root = root.parent
-    end
     table.insert(root.last, 1, hook)
   end
   globals.before_each = function(hook)
@@ -350,7 +329,7 @@ require("spec.support.pairs")
 if os.getenv("PHYSICS_LUA") then
   dofile("scripts/interpreter.lua")
 end
-local marks = options["--coverage"] and require("scripts.coverage_marks")
+local writeMarks = options["--coverage"] and require("scripts.coverage").start()
 for _, path in ipairs(files) do
   if LEFT_OUT.files[path] then
     leaveOut(path, LEFT_OUT.files[path])
@@ -358,8 +337,8 @@ for _, path in ipairs(files) do
     runFile(path)
   end
 end
-if marks then
-  marks.write()
+if writeMarks then
+  writeMarks()
 end
 print(("%d passed, %d failed, %d left out"):format(count.passed, count.failed, count.leftOut))
 os.exit(count.failed == 0 and 0 or 1)

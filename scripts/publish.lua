@@ -7,22 +7,19 @@
 ---                                             prints the rockspec of that release
 ---   luajit scripts/publish.lua                says what is left to do before publishing
 
+package.path = "./?.lua;" .. package.path
+
+local files = require("spec.support.files")
+
 local publish = {}
 
 local ROCKSPEC = "rockspec/physics-scm-1.rockspec"
-
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
 
 --- Returns the address of the repository, or nil while the rockspec has none.
 ---@param rockspec string? text of the rockspec; default: that of the project
 ---@return string?
 function publish.address(rockspec)
-  local url = (rockspec or read(ROCKSPEC)):match('\n  url = "([^"]*)"')
+  local url = (rockspec or files.read(ROCKSPEC)):match('\n  url = "([^"]*)"')
   return url:match("^git%+(https://[^/]+/[^/]+/[^/]+)$")
 end
 
@@ -40,7 +37,7 @@ end
 ---@param rockspec string? text of the rockspec; default: that of the project
 ---@return string
 function publish.rockspec(version, rockspec)
-  local text = rockspec or read(ROCKSPEC)
+  local text = rockspec or files.read(ROCKSPEC)
   local address = assert(publish.address(text), ROCKSPEC .. ": source.url is empty")
   local pages = ('  homepage = "%s",\n  issues_url = "%s/issues",\n'):format(address, address)
   text = text:gsub("%-%- The address.-\n(source = )", "%1")
@@ -62,49 +59,36 @@ function publish.left(state)
   local address = publish.address(state.rockspec)
   local site = publish.siteOf(address)
   need(address, ROCKSPEC .. ": set source.url to git+https://github.com/OWNER/NAME")
+  for _, link in ipairs(address and { "/releases/latest/download/physics.lua", "/issues" } or {}) do
+    need(state.readme:find(address .. link, 1, true), "README.md: link " .. address .. link)
+  end
   if address then
-    local download = address .. "/releases/latest/download/physics.lua"
-    need(state.readme:find(download, 1, true), "README.md: link " .. download)
     need(site and state.readme:find(site, 1, true), "README.md: link the site, " .. tostring(site))
-    need(
-      state.readme:find(address .. "/issues", 1, true),
-      "README.md: link " .. address .. "/issues"
-    )
   end
   local release = state.version:match("^%d+%.%d+%.%d+$")
   need(release, "physics.lua: _VERSION is " .. state.version .. ", not that of a release")
   local first = state.changelog:match("\n## ([^\n]+)")
-  need(
-    release and first:find("^" .. release:gsub("%.", "%%.") .. " %- %d%d%d%d%-%d%d%-%d%d$"),
-    "CHANGELOG.md: begin with the version and its date, not with " .. first
-  )
+  local dated = "^" .. (release or ""):gsub("%.", "%%.") .. " %- %d%d%d%d%-%d%d%-%d%d$"
+  local isDated = release and first:find(dated)
+  need(isDated, "CHANGELOG.md: begin with the version and its date, not with " .. first)
   local tag = "v" .. (release or "X.Y.Z")
-  need(
-    release and ("\n" .. state.tags):find("\n" .. tag .. "\n", 1, true),
-    "git: the last commit needs the tag " .. tag
-  )
+  local isTagged = release and ("\n" .. state.tags):find("\n" .. tag .. "\n", 1, true)
+  need(isTagged, "git: the last commit needs the tag " .. tag)
   return left
-end
-
-local function run(command)
-  local pipe = assert(io.popen(command))
-  local text = pipe:read("*a")
-  pipe:close()
-  return text
 end
 
 local function main(command, version, file)
   if command == "address" then
     print(publish.address() or "")
   elseif command == "rockspec" then
-    io.write(publish.rockspec(assert(version, "which version?"), read(file or ROCKSPEC)))
+    io.write(publish.rockspec(assert(version, "which version?"), files.read(file or ROCKSPEC)))
   else
     local left = publish.left({
-      rockspec = read(ROCKSPEC),
-      version = read("physics.lua"):match('_VERSION = "([^"]+)"'),
-      changelog = read("CHANGELOG.md"),
-      readme = read("README.md"),
-      tags = run("git tag --points-at HEAD 2>/dev/null"),
+      rockspec = files.read(ROCKSPEC),
+      version = files.read("physics.lua"):match('_VERSION = "([^"]+)"'),
+      changelog = files.read("CHANGELOG.md"),
+      readme = files.read("README.md"),
+      tags = files.output("git tag --points-at HEAD 2>/dev/null"),
     })
     for _, text in ipairs(left) do
       print("to do   " .. text)

@@ -7,6 +7,7 @@
 # What else a release needs: CONTRIBUTING.md.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
+. scripts/elsewhere.sh
 
 version=$(luajit -e 'io.write(require("physics")._VERSION)') || exit 1
 name=physics-$version
@@ -14,10 +15,25 @@ address=$(luajit scripts/publish.lua address) || exit 1
 place=build/release
 zip=$PWD/$place/$name.zip
 
+# write_addon FOLDER: the addon for the Lua language server, for a game that has the library as one
+# file, which is too long for that server, or elsewhere than in its workspace.
+write_addon() {
+  mkdir -p "$1/library/lib" && cp -r physics.lua physics "$1/library/" || return
+  # For `require "lib.physics"`.
+  printf '%s\n' '---@meta lib.physics' 'return require("physics")' >"$1/library/lib/physics.lua"
+  cat >"$1/config.json" <<'JSON'
+{
+  "name": "physics.lua",
+  "words": ["require[%s%(\"']+[%w_.]*physics[\"']", "physics%.newWorld"],
+  "settings": {}
+}
+JSON
+}
+
 pack() {
-  rm -rf "$place" && mkdir -p "$place/$name/addon/library/lib" || return
+  rm -rf "$place" && mkdir -p "$place/$name" || return
   luajit scripts/single.lua "$place/$name/physics.lua" || return
-  luajit scripts/addon.lua "$place/$name/addon" || return
+  write_addon "$place/$name/addon" || return
   cp LICENSE CHANGELOG.md "$place/$name/" || return
   # Dates are those of the last commit; a copy without git has one that a zip can hold.
   local date
@@ -35,69 +51,47 @@ check "packs it again" pack
 same() { [ "$first" = "$(sha256sum <"$zip")" ]; }
 check "and it is the same, to the bit" same
 
-elsewhere=$(mktemp -d)
-trap 'rm -rf "$elsewhere"' EXIT
 check "it can be unpacked" unzip -q "$zip" -d "$elsewhere"
 holds() {
   local found expected
   found=$(cd "$elsewhere/$name" && find . -type f | LC_ALL=C sort)
-  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json \
-    addon/library/lib/physics.lua addon/library/physics.lua physics.lua)
+  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json addon/library/lib/physics.lua \
+    physics.lua $(find physics.lua physics -type f -printf 'addon/library/%p\n') | LC_ALL=C sort)
   echo "$found"
   [ "$found" = "$expected" ]
 }
 check "it holds what it should" holds
 
-cat >"$elsewhere/game.lua" <<'LUA'
-local physics = require("physics")
-local world = physics.newWorld({ gravity = 800 })
-world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
-local box = world:add("boxes", { x = 20, y = 0, width = 16, height = 16 })
-for _ = 1, 120 do
-  world:update(1 / 60)
-end
-assert(box.y == 84 and box.touching.bottom, "the box is not on the floor")
-LUA
-plays() {
-  (cd "$elsewhere" && env -u LUA_PATH_5_2 -u LUA_PATH_5_3 -u LUA_PATH_5_4 \
-    LUA_PATH="./$name/?.lua" "$1" game.lua)
-}
-for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
-  check "a game plays with the file on $lua" plays "$lua"
-done
+check_plays "a game plays with the file" "./$name/?.lua" game
 
-# The addon beside a game: no code of the library, so all that is known of it stands in the addon.
-types=$PWD/build/release/types
-mkdir -p "$types" && cp .emmyrc.json "$types/" && cp -r "$elsewhere/$name/addon/library" "$types/"
+# The addon is a folder of types beside the game, which has no code of the library.
+types=$place/types
+mkdir -p "$types"
+echo "{ \"workspace\": { \"library\": [\"$elsewhere/$name/addon/library\"] } }" >"$types/.emmyrc.json"
+# emmylua GAME LINE: what is said of the game with a line more.
 emmylua() {
-  cp "$elsewhere/game.lua" "$types/game.lua"
-  echo "$1" >>"$types/game.lua"
+  cp "$elsewhere/$1.lua" "$types/game.lua"
+  echo "$2" >>"$types/game.lua"
   bash scripts/emmylua.sh --warnings-as-errors "$types"
 }
 finds() {
   local found code
-  found=$(emmylua "$2" 2>&1)
+  found=$(emmylua "$2" "$3" 2>&1)
   code=$?
   echo "$found"
   [ $code -eq 1 ] && [[ "$found" == *"[$1]"* ]]
 }
-check "the addon knows all that the game calls" emmylua ""
-check "and what a query returns" emmylua \
-  'for _, hit in ipairs((select(3, world:move(box, 3, 4)))) do print(hit.other, hit.nx + 1) end'
-check "it finds a method that does not exist" finds undefined-field 'world:updaet(1)'
-check "and a function that does not exist" finds undefined-field 'physics.updaet(1)'
-check "and an argument that is missing" finds missing-parameter 'world:update()'
-check "and a setting of the wrong type" finds param-type-mismatch 'physics.load({ gravity = "9" })'
-
-lib_finds() {
-  sed -i 's/require("physics")/require("lib.physics")/' "$elsewhere/game.lua"
-  finds undefined-field 'world:updaet(1)'
-}
-check "it also finds it for a game that requires lib.physics" lib_finds
-
+knows="for _, hit in ipairs((select(3, world:move(box, 3, 4)))) do print(hit.other, hit.nx + 1) end"
+check "the addon knows what the game calls, and what a query returns" emmylua game "$knows"
+check "it finds a method that does not exist" finds undefined-field game 'world:updaet(1)'
+check "and a function that does not exist" finds undefined-field game 'physics.updaet(1)'
+check "and an argument that is missing" finds missing-parameter game 'world:update()'
+check "and a setting of the wrong type" finds param-type-mismatch game 'physics.load({ gravity = "9" })'
+check "it also finds it for a game that requires lib.physics" \
+  finds undefined-field lib_game 'world:updaet(1)'
 single_finds() {
-  rm -r "$types/library" && mkdir -p "$types/lib" && cp "$elsewhere/$name/physics.lua" "$types/lib/"
-  emmylua "" && finds undefined-field 'world:updaet(1)'
+  rm "$types/.emmyrc.json" && mkdir -p "$types/lib" && cp "$elsewhere/$name/physics.lua" "$types/lib/"
+  emmylua lib_game "" && finds undefined-field lib_game 'world:updaet(1)'
 }
 check "the single file alone does the same, and has no warnings of its own" single_finds
 

@@ -3,11 +3,10 @@
 # project. The same for the library copied into a game's own folder.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
+. scripts/elsewhere.sh
 
 tree=$PWD/lua_modules
 version=$(luarocks config lua_version)
-elsewhere=$(mktemp -d)
-trap 'rm -rf "$elsewhere"' EXIT
 
 rm -rf "$tree"
 # The rockspec of a release (scripts/publish.lua), here with an address that stands in for the real one.
@@ -42,37 +41,9 @@ check "luarocks test plays the specs" luarocks_test -- spec/world_spec.lua
 echo 'it("fails", function() assert.equal(1, 2) end)' >build/fails_spec.lua
 check "and fails when one fails" refuses luarocks_test -- build/fails_spec.lua
 
-# Prints what the script must find: the box has fallen onto the floor and lies flush on it.
-cat >"$elsewhere/game.lua" <<'LUA'
-local name = ...
-local physics = require(name)
-local world = physics.newWorld({ gravity = 800 })
-world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
-local box = world:add("boxes", { x = 20, y = 0, width = 16, height = 16 })
-for _ = 1, 120 do
-  world:update(1 / 60)
-end
-assert(box.y == 84 and box.vy == 0, "the box is at y = " .. box.y .. ", not on the floor")
-assert(box.touching.bottom, "the box does not touch the floor")
-LUA
-
-# LUA_PATH has no ";;" at its end: nothing of this machine but the given folder can be found.
-plays() {
-  local lua=$1 path=$2 name=$3
-  (cd "$elsewhere" && env -u LUA_PATH_5_2 -u LUA_PATH_5_3 -u LUA_PATH_5_4 LUA_PATH="$path" \
-    "$lua" game.lua "$name")
-}
-installed="$tree/share/lua/$version/?.lua"
-copied="$elsewhere/?.lua"
-for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
-  check "the installed rock runs from another folder on $lua" plays "$lua" "$installed" physics
-done
-
+check_plays "the installed rock runs from another folder" "$tree/share/lua/$version/?.lua" game
 mkdir -p "$elsewhere/lib" && cp -r physics.lua physics "$elsewhere/lib/"
-for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
-  check "require \"lib.physics\" works from a copied folder on $lua" \
-    plays "$lua" "$copied" lib.physics
-done
-check "nothing is found without them" refuses plays luajit "$elsewhere/none/?.lua" physics
+check_plays 'require "lib.physics" works from a copied folder' "$elsewhere/?.lua" lib_game
+check "nothing is found without them" refuses plays "$elsewhere/none/?.lua" game luajit
 
 finish

@@ -19,28 +19,20 @@ local PHRASES = {
 
 -- "What" begins a question, also behind these words ("it says what to do"). Elsewhere it stands in
 -- the place of a noun ("what is held"): name the thing ("an object that is held").
-local BEFORE_A_QUESTION = {}
-local WORDS = "ask asks decide decides explain explains know knows out say says said see sees show "
-  .. "shows tell tells"
-for word in WORDS:gmatch("%a+") do
-  BEFORE_A_QUESTION[word] = true
-end
+local BEFORE_A_QUESTION = " ask asks decide decides explain explains know knows out say says said "
+  .. "see sees show shows tell tells "
 
 -- Returns the first words around a "what" that is no question, or nil.
 local function nounOf(sentence)
   for before, after in (" . " .. sentence:lower()):gmatch("(%S+)%s+(what%f[%W]%s*%S*)") do
-    if not BEFORE_A_QUESTION[before:match("%a*")] then
+    if not BEFORE_A_QUESTION:find(" " .. before:match("%a*") .. " ", 1, true) then
       return (before .. " " .. after):gsub("^%. ", "")
     end
   end
 end
 
 local function countWords(sentence)
-  local count = 0
-  for word in sentence:gmatch("%S+") do
-    count = count + (word:find("%w") and 1 or 0)
-  end
-  return count
+  return select(2, (sentence .. " "):gsub("%S*%w%S*%s", ""))
 end
 
 -- Removes marks and addresses, so that words are left.

@@ -68,22 +68,10 @@ echo "setup: not found:$missing"
 
 if ! command -v apt-get >/dev/null 2>&1; then
   cat >&2 <<MESSAGE
-setup: this installs by itself on Debian and Ubuntu only. Here, please install by hand:
-  LÖVE 11.x                    https://love2d.org
-  LuaJIT, Lua 5.1 5.2 5.3 5.4  as the commands luajit, lua5.1, luac5.1, lua5.2, lua5.3, lua5.4
-  LuaRocks                     https://luarocks.org
-  busted and luacheck          luarocks install busted; luarocks install luacheck
-  Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
-  cargo                        https://rustup.rs (it brings emmylua_check, for make types, and the
-                               sources of Lua 5.5, for make test-all)
-  zip and unzip                for make release
-  Xvfb, xvfb-run and xauth     for the examples without a display
-  Chromium or Chrome           for make test-web and make test-site
-  Python 3 with venv and pip   for make site
-  Go                           for make test-gopher
-  Tiled                        for make test-tiled
-What the game itself needs is only LÖVE: \`love examples\` runs without any of the others,
-and \`busted\` alone runs the specs on LuaJIT.
+setup: this installs by itself on Debian and Ubuntu only. Here, please install these by hand:$missing
+(LÖVE from https://love2d.org, LuaRocks from https://luarocks.org, busted and luacheck by LuaRocks.
+Node.js brings StyLua, cargo the checker of types and the sources of Lua 5.5.) The game itself needs
+only LÖVE: \`love examples\` runs without any other. \`busted\` alone runs the specs on LuaJIT.
 MESSAGE
   exit 1
 fi

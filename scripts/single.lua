@@ -7,21 +7,12 @@
 -- of the file, or the file and the folder, live side by side. The door gets the same name wherever
 -- the file lies, `require "physics"` and `require "lib.physics"` find it by its own name.
 
+package.path = "./?.lua;" .. package.path
+
+local files = require("spec.support.files")
+
 local path = assert(arg[1], "which file to write?")
-
-local function read(name)
-  local file = assert(io.open(name, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
-
-local function list(command)
-  local pipe = assert(io.popen(command))
-  local text = pipe:read("*a")
-  pipe:close()
-  return text:gmatch("[^\n]+")
-end
+local read = files.read
 
 -- A text as a comment.
 local function commented(text)
@@ -70,7 +61,7 @@ local parts = {
   HEAD:format(version, commented(read("LICENSE"))),
   TYPES:format((read("physics/types.lua"):gsub("^%-%-%-@meta[^\n]*\n", ""))),
 }
-for file in list("find physics.lua physics -name '*.lua' | LC_ALL=C sort") do
+for _, file in ipairs(files.list("find physics.lua physics -name '*.lua'")) do
   local name = file:gsub("%.lua$", ""):gsub("/", ".")
   -- The names of modules are known here: no file has to find out where it lies.
   local text = read(file):gsub("%s+$", ""):gsub('root %.%. "', '"physics')
@@ -83,6 +74,4 @@ for file in list("find physics.lua physics -name '*.lua' | LC_ALL=C sort") do
 end
 parts[#parts + 1] = '\nlocal door = require("physics") ---@type physics.Module\nreturn door\n'
 
-local output = assert(io.open(path, "wb"))
-output:write(table.concat(parts))
-output:close()
+files.write(path, table.concat(parts))

@@ -3,6 +3,7 @@
 # in a folder where the file stands alone, without the folder physics/.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
+. scripts/specs.sh
 
 luajit scripts/single.lua build/physics.lua || exit 1
 if [ "${1:-}" != --test ]; then
@@ -13,12 +14,7 @@ fi
 lua55=$(bash scripts/puc_lua.sh 5.5) || exit 1
 stage=build/single
 rm -rf "$stage" && mkdir -p "$stage"
-for entry in * .busted .github; do
-  case $entry in
-    physics | build | lua_modules | node_modules | web) ;;
-    *) cp -r "$entry" "$stage/" ;;
-  esac
-done
+git ls-files -z -co --exclude-standard | grep -zvE '^(physics|web)/' | xargs -0 cp --parents -t "$stage"
 cp build/physics.lua "$stage/"
 find physics -name '*.lua' | sed 's/\.lua$//; s#/#.#g' >"$stage/modules.txt"
 check "Lua 5.1 reads the single file" luac5.1 -p "$stage/physics.lua"
@@ -69,24 +65,11 @@ for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4 "$lua55"; do
   check "two copies live side by side on $lua" env -C "$stage" "$lua" twice.lua
 done
 
-# Specs that open the library's files by name have nothing to open here: they are not run.
-rm "$stage"/spec/{fields,project/manual}_spec.lua
-left_out=$(busted --lua=luajit --list spec/{fields,project/manual}_spec.lua | wc -l)
-log=$PWD/build/single.log
-cd "$stage" || exit 1
-list_files() { busted --lua=luajit --helper=scripts/single_helper.lua --tags=files --list; }
-left_out=$((left_out + $(list_files | wc -l)))
-# Neither are those about motion: the code is the same as in `make test-all`, what may differ is how its
-# parts find each other. Interpreted, without the slow specs, and of the others the list of slow.lua.
-differing=$(luajit -e 'print(table.concat(require("spec.slow").differs, "\n"))')
-while read -r file; do
-  left_out=$((left_out + $(grep -c '^ *it(' "$file")))
-  rm "$file"
-done < <(find spec -name '*_spec.lua' | grep -vxF "$differing")
-started=$SECONDS
-busted --lua=scripts/luajit-joff --helper=scripts/single_helper.lua --exclude-tags=files,slow \
-  --output=plainTerminal </dev/null >"$log" 2>&1
-count_specs "the single file" $? "$log" $((SECONDS - started))
-echo "at least $left_out specs of the separate files and of motion were left out"
+# Left out are specs that open the library's files by name, which has nothing to open here, and those
+# about motion: the code is that of `make test-all`, what may differ is how its parts find each other.
+# Interpreted, without the slow specs.
+command="env -C $stage luajit -joff -l scripts.single_helper scripts/plain_busted.lua"
+play_specs < <(differing_files | grep -vE '/(fields|manual)_spec' |
+  sed "s#^#LuaJIT -joff|$command --exclude-tags=files,slow|#")
 
 finish

@@ -1,4 +1,4 @@
--- Loaded by busted before the specs of the single file (scripts/single.sh). The file shows nothing
+-- Loaded before the specs of the single file (scripts/single.sh). The file shows nothing
 -- of its inside, but many specs are about a module of the library: here they get the modules of
 -- the file, taken out with the debug library, and so test the same code that a game would run.
 

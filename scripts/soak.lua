@@ -12,6 +12,7 @@
 package.path = "./?.lua;" .. package.path
 
 local busy = require("spec.support.busy")
+local files = require("spec.support.files")
 local write = require("spec.fuzz.write")
 
 local PATH = "build/soak.lua"
@@ -20,21 +21,10 @@ local MORE_MEMORY, MORE_TIME = 1.05, 1.5
 
 local options = { steps = 1000000, part = 100000, resume = "" }
 
-local function readOptions(list)
-  for n = 1, #list, 2 do
-    local name = list[n]:match("^%-%-(.+)$")
-    if options[name] == nil then
-      error("unknown option " .. list[n], 0)
-    end
-    options[name] = name == "resume" and list[n + 1] or assert(tonumber(list[n + 1]))
-  end
-end
-
 local function store(world, n)
   os.execute("mkdir -p build")
-  local file = assert(io.open(PATH, "w"))
-  file:write("return ", write.value({ step = n, state = world:save() }), "\n")
-  file:close()
+  local state = { step = n, state = world:save() }
+  files.write(PATH, "return " .. write.value(state) .. "\n")
 end
 
 local function play(world, from, to)
@@ -75,5 +65,5 @@ local function run()
   return isFlat
 end
 
-readOptions(arg)
+require("scripts.options")(options, arg)
 os.exit(run() and 0 or 1)

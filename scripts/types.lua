@@ -7,7 +7,7 @@ package.path = "./?.lua;" .. package.path
 
 local docstrings = require("scripts.docstrings")
 local fields = require("scripts.meanings")
-local typedFields = require("scripts.typed_fields")
+local files = require("spec.support.files")
 
 local types = {}
 
@@ -39,19 +39,10 @@ local HEAD = [[
 
 -- "px/s, >= 0, default 0. The limit ..."
 local function meaning(field)
-  local parts = {}
-  local default = typedFields.default(field):gsub("`", "")
   local isGiven = not (field.required or field.written)
-  for _, part in ipairs({
-    field.unit or "",
-    typedFields.range(field),
-    isGiven and "default " .. default or "",
-  }) do
-    if part ~= "" then
-      parts[#parts + 1] = part
-    end
-  end
-  local head = table.concat(parts, ", ")
+  local default = isGiven and "default " .. field.standard:gsub("`", "") or ""
+  local head = table.concat({ field.unit or "", field.range, default }, ", ")
+  head = head:gsub("^[, ]+", ""):gsub(", , ", ", "):gsub("[, ]+$", "")
   return head == "" and field.meaning or head .. ". " .. field.meaning
 end
 
@@ -61,10 +52,11 @@ local function add(lines, ...)
   end
 end
 
--- Adds a text as comment, broken into lines of at most `COLUMNS`.
-local function addText(lines, text)
+-- The text above a field belongs to the field, not to the class. It is broken into lines of at most
+-- `COLUMNS`.
+local function addField(lines, field, isOptional)
   local line = "---"
-  for word in text:gmatch("%S+") do
+  for word in meaning(field):gmatch("%S+") do
     if #line + 1 + #word > COLUMNS then
       add(lines, line)
       line = "---"
@@ -72,13 +64,7 @@ local function addText(lines, text)
     line = line .. " " .. word
   end
   add(lines, line)
-end
-
--- The text above a field belongs to the field, not to the class.
-local function addField(lines, field, isOptional)
-  addText(lines, meaning(field))
-  local name = field.name .. (isOptional and "?" or "")
-  add(lines, ("---@field %s %s"):format(name, typedFields.type(field)))
+  add(lines, ("---@field %s%s %s"):format(field.name, isOptional and "?" or "", field.editorType))
 end
 
 -- A table of the game has a width and a height, or a radius.
@@ -105,6 +91,11 @@ local NEW_OBJECTS = [[
 --- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.
 ---@class physics.Object: physics.NewBox, physics.Box]]
 
+local AREA = "--- The entries of the field `area` of a zone.\n---@class physics.Area"
+local SETTINGS = "--- What `newWorld` and `load` take.\n---@class physics.Settings"
+local WORLD_SETTINGS = "--- The settings as fields of a world. They may change between two "
+  .. "updates.\n---@class physics.WorldSettings"
+
 local function addObjects(lines)
   add(lines, "", "--- What an object may have beside its place and size.")
   add(lines, "---@class physics.ObjectFields")
@@ -121,22 +112,10 @@ local function addObjects(lines)
   end
 end
 
-local function addAreas(lines)
-  add(lines, "", "--- The entries of the field `area` of a zone.", "---@class physics.Area")
-  for _, field in ipairs(fields.area) do
-    addField(lines, field, true)
-  end
-end
-
-local function addSettings(lines)
-  add(lines, "", "--- What `newWorld` and `load` take.", "---@class physics.Settings")
-  for _, field in ipairs(fields.settings) do
-    addField(lines, field, true)
-  end
-  add(lines, "", "--- The settings as fields of a world. They may change between two updates.")
-  add(lines, "---@class physics.WorldSettings")
-  for _, field in ipairs(fields.settings) do
-    addField(lines, field, field.default == nil)
+local function addFields(lines, list, head, isOptional)
+  add(lines, "", head)
+  for _, field in ipairs(list) do
+    addField(lines, field, isOptional or field.default == nil)
   end
 end
 
@@ -151,37 +130,28 @@ local function addFunction(lines, entry)
   add(lines, ("function default.%s(%s) end"):format(entry.name, entry.arguments))
 end
 
--- The public fields of a world, from its docstring.
-local function addWorldFields(lines)
-  for _, entry in ipairs(docstrings.read(docstrings.WORLD)) do
-    for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
-      add(lines, ("---@field %s %s %s"):format(field.name, field.type, field.text))
-    end
-  end
-end
-
 --- Returns the text of physics/types.lua.
 ---@return string
 function types.text()
   local lines = {}
   addObjects(lines)
-  addAreas(lines)
-  addSettings(lines)
+  addFields(lines, fields.area, AREA, true)
+  addFields(lines, fields.settings, SETTINGS, true)
+  addFields(lines, fields.settings, WORLD_SETTINGS, false)
   add(lines, "", "--- The default world, on which the functions of the module work.")
   add(lines, "---@class physics.DefaultWorld: physics.WorldSettings")
-  addWorldFields(lines)
+  for _, field in ipairs(docstrings.worldFields()) do
+    add(lines, ("---@field %s %s %s"):format(field.name, field.type, field.text))
+  end
   add(lines, "local default = {}")
-  local _, methods = docstrings.functions(docstrings.WORLD, "World")
-  for _, entry in ipairs(methods) do
+  for _, entry in ipairs(docstrings.functions(docstrings.SOURCES[3])) do
     addFunction(lines, entry)
   end
   return HEAD .. table.concat(lines, "\n") .. "\n"
 end
 
 if arg and arg[0] and arg[0]:find("scripts/types.lua", 1, true) then
-  local file = assert(io.open("physics/types.lua", "wb"))
-  file:write(types.text())
-  file:close()
+  files.write("physics/types.lua", types.text())
 end
 
 return types

@@ -1,10 +1,12 @@
 --- The rows of fields, entries of areas and settings: well formed, and all that a new field needs.
 --- What they accept is in debugging_bad_input_spec.lua.
 
-local read = require("spec.support.files").read
 local fields = require("scripts.meanings")
+local files = require("spec.support.files")
 local fresh = require("spec.support.fresh")
 local small = require("spec.support.small")
+
+local read = files.read
 
 for _, list in ipairs({ "objects", "area", "settings" }) do
   local names = {}
@@ -74,7 +76,7 @@ local CAPSULE = {
 
 -- Calls f(physics) with a library to which that is added.
 local function with(added, f)
-  local lines, changed = io.lines, {}
+  local changed = {}
   for path, row in pairs(added) do
     local text = read(path)
     for n = 1, #row, 2 do
@@ -83,7 +85,7 @@ local function with(added, f)
     end
     changed[path] = text
   end
-  local scripts = { "meanings", "types", "manual", "typed_fields" }
+  local scripts = { "meanings", "types", "manual" }
   local loaded = {}
   for _, name in ipairs(scripts) do
     loaded[name], package.loaded["scripts." .. name] = package.loaded["scripts." .. name], nil
@@ -92,14 +94,11 @@ local function with(added, f)
     local name = path:gsub("%.lua$", ""):gsub("/", ".")
     package.preload[name] = assert((rawget(_G, "loadstring") or load)(text, "@" .. path))
   end
-  io.lines = function(path) -- luacheck: ignore
-    if not changed[path] then
-      return lines(path) -- (on gopher-lua these are two values)
-    end
-    return changed[path]:gmatch("([^\n]*)\n")
+  files.read = function(path)
+    return changed[path] or read(path)
   end
   local isDone, problem = pcall(fresh.during, f)
-  io.lines = lines -- luacheck: ignore
+  files.read = read
   for path in pairs(changed) do
     package.preload[path:gsub("%.lua$", ""):gsub("/", ".")] = nil
   end

@@ -206,18 +206,25 @@ describe("world:addTiles", function()
     return count
   end
 
-  -- Returns what digging cells of one row costs in so many rows, what the update costs after that
-  -- beyond an idle one, and what it costs to unload the next 10 objects, and a row of all.
+  -- Returns what digging cells of one row costs in so many rows, before the first update and after
+  -- it, what the update costs after that beyond an idle one, what it costs to unload the next 10
+  -- objects, and a row of all, and to dig when all are loaded again.
   local function costsOf(rows)
     local picture = {}
     for row = 1, rows do
       picture[row] = ("##."):rep(20)
     end
     local tiles, world = add(picture, { fields = { oneWay = "top" } })
-    run(world, 2)
     local function update()
       world:update(DT)
     end
+    local function digEarly()
+      for column = 1, 59 do
+        tiles:setTile(column, rows - 1, 0)
+      end
+    end
+    local early = costOf(digEarly)
+    run(world, 2)
     local function dig()
       for column = 1, 59 do
         tiles:setTile(column, rows / 2, 0)
@@ -230,16 +237,17 @@ describe("world:addTiles", function()
     local idle, digging = costOf(update), costOf(dig)
     local updating = costOf(update) - idle
     tiles:unload(1) -- lists them
-    return {
-      digging,
-      updating,
-      costOf(function()
-        tiles:unload(10)
-      end),
-      costOf(function()
-        tiles:unload()
-      end) / rows,
-    }
+    local few = costOf(function()
+      tiles:unload(10)
+    end)
+    local all = costOf(function()
+      tiles:unload()
+    end)
+    for column = 1, 59 do
+      tiles:setTile(column, rows - 1, "#")
+    end
+    tiles:load()
+    return { digging, updating, few, all / rows, early, costOf(digEarly) }
   end
 
   it("digs and comes and goes at a cost that does not depend on the size of its group", function()

@@ -16,10 +16,6 @@
 
 local slow = {}
 
---- Interpreters on which `make test-all` plays the slow rows, by their names in
---- scripts/interpreter.lua.
-slow.interpreters = { "LuaJIT" }
-
 --- The files about what a Lua may do otherwise: numbers and how they are written, messages, the
 --- order of tables, states, maps, what is printed by the snippets of the pages, memory.
 slow.differs = {

@@ -36,8 +36,8 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 
 -- path, the value that is put there, what the message says
 local ROWS = {
-  { "version", 0, "state.version must be 7, got 0: an older version of the library wrote it" },
-  { "version", 8, "state.version must be 7, got 8: a newer version of the library wrote it" },
+  { "version", 0, "state.version must be 8, got 0: an older version of the library wrote it" },
+  { "version", 9, "state.version must be 8, got 9: a newer version of the library wrote it" },
   { "version", 2, "the state is damaged: 1.0.0 has written it" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
@@ -60,14 +60,30 @@ local ROWS = {
   { "groups[3].direct", true, "state.groups[3].count must be an integer in 1..1, got 2" },
   { "groups[2].keys[4]", nil, "#state.groups[2].keys must be an integer in 4..4, got 3" },
   { "groups[2].keys[4]", "left", "state.groups[2].keys[4] must be a key that is there once" },
-  { "fields.x[11]", 0, "#state.fields.x must be an integer in 10..10, got 11" },
-  { "fields.x[1]", NAN, "state.fields.x[1] must be a number, got nan" },
-  { "fields.width[8]", false, "state.fields.width[8] must be a number > 0, got false" },
-  { "fields.vy[10]", INFINITE, "state.fields.vy[10] must be" },
+  { "boxes", nil, "state.boxes must be a table, got nil" },
+  { "boxes[41]", 0, "#state.boxes must be an integer in 40..40, got 41" },
+  { "boxes[1]", NAN, "state.boxes[1] must be a number, got nan" },
+  { "boxes[2]", 1e101, "state.boxes[2] must be a number in" },
+  { "boxes[31]", false, "state.boxes[31] must be a number > 0, got false" },
+  { "boxes[32]", 0, "state.boxes[32] must be a number > 0, got 0" },
+  { "boxes[32]", "1", 'state.boxes[32] must be a number > 0, got "1"' },
+  { "others", nil, "state.others must be a table, got nil" },
+  { "others[1]", 11, "state.others[1] must be an integer in 1..10, got 11" },
+  { "others[2]", 1, "state.others[2] must be true or false, got 1" },
+  { "fields.vy[2]", INFINITE, "state.fields.vy[2] must be" },
   { "fields", nil, "state.fields must be a table, got nil" },
   { "fields.mass", { 1 }, "#state.fields.mass must be an integer in 0..0, got 1" },
-  { "fields.mass", { 0, 1 }, "state.fields.mass[1] must be an integer in 1..10, got 0" },
-  { "fields.mass", { 2, 1, 2, 1 }, "state.fields.mass[3] must be an integer in 3..10, got 2" },
+  {
+    "fields.mass",
+    { 0, 1 },
+    "state.fields.mass[1] must be the number of one of the others, got 0",
+  },
+  {
+    "fields.mass",
+    { 1, 1 },
+    "state.fields.mass[1] must be the number of one of the others, got 1",
+  },
+  { "fields.mass", { 6, 1, 6, 1 }, "state.fields.mass[3] must be an integer in 7..10, got 6" },
   { "settings.masks", { a = { [INFINITE] = false } }, "state.settings.masks.a must have" },
   { "fields.mask", { 6, { a = 1 } }, "state.fields.mask[2].a must be true or false, got 1" },
   { "fields.radius", { 6, 5 }, "objects.boxes[1].radius must be half of width and height, which" },
@@ -100,7 +116,10 @@ local ROWS = {
   { "events[6]", NAN, "state.events[6] must be a number, got nan" },
   { "heardBy", 4, "state.heardBy must be an integer in 0..3, got 4" },
   { "sorted", 2, "state.sorted must be an integer in 0..1, got 2" },
-  { "gone", 1, "#state.fields.x must be an integer in 11..11, got 10" },
+  { "gone", 1, "state.gone must be a table, got 1" },
+  { "gone[1]", 1, "state.gone[1] must be a table, got 1" },
+  { "gone[1]", { mass = 0 }, "state.gone[1].mass must be a number > 0, got 0" },
+
   { "memory.support", { 6, 0 }, "state.memory.support[2] must be an integer in 1..10, got 0" },
   { "events", { 1 }, "#state.events must be" },
   { "own", false, "state.own must be a list of names of fields, got false" },
@@ -167,7 +186,7 @@ describe("world:restore, what is no state", function()
     for text, value in pairs({
       ["state must be a table, got nil"] = false,
       ['state must be a table, got "state"'] = "state",
-      ["state.version must be 7, got nil: this is no state"] = {},
+      ["state.version must be 8, got nil: this is no state"] = {},
     }) do
       refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
       assert.are.equal(hash, world:hash())

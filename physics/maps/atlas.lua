@@ -1,6 +1,6 @@
 ---@diagnostic disable
 --- A level of several maps, each in its place in the world of the editor. Adds maps and takes them
---- out again, and lists what those that are there have made.
+--- out again, and lists the objects of those that are there.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -33,15 +33,11 @@ local atlas = {}
 local Atlas = {}
 Atlas.__index = Atlas
 
-local LISTS = { "lines", "pictures", "points", "solidLayers", "unsupported" }
-for _, name in ipairs(level.LISTS) do
-  LISTS[#LISTS + 1] = name
-end
-
+local LISTS = level.LISTS .. " lines points"
 local TABLES = { "byId", "byIid", "named", "tileLayers" }
 
 local function join(self, made)
-  for _, name in ipairs(LISTS) do
+  for name in LISTS:gmatch("%a+") do
     local list = self[name]
     for _, entry in ipairs(made[name] or {}) do
       list[#list + 1] = entry
@@ -66,7 +62,7 @@ local function find(self, call, name)
   check.fail(text, where, check.show(name), table.concat(names, ", "))
 end
 
--- Reads those of these maps that are not there. Returns what the maps will have made, see `_set`.
+-- Reads those of these maps that are not there. Returns the argument for `_set`.
 function Atlas._read(self, isWanted)
   local made = {}
   for _, map in ipairs(self.maps) do
@@ -80,12 +76,12 @@ function Atlas._read(self, isWanted)
   return made
 end
 
--- Sets what the maps have made: by map that is there its `level`, the `layers` of its tiles, and
--- once a function `add`.
+-- Sets the maps that are there: by map its `level`, the `layers` of its tiles, and once a function
+-- `add`.
 function Atlas._set(self, made)
   local grids = {}
   self._made, self._there, self.tiles, self.rectangles = made, {}, 0, 0
-  for _, name in ipairs(LISTS) do
+  for name in LISTS:gmatch("%a+") do
     self[name] = {}
   end
   for _, name in ipairs(TABLES) do

@@ -1,7 +1,7 @@
 ---@diagnostic disable
---- What a world knows of its maps, and what a state holds of them: which maps of a level of several
---- are there, by which name each object was loaded, and what was dug. So a state finds its objects
---- in a world that has loaded the same maps anew, too.
+--- The memory of maps, in a world and in its states: which maps of a level of several are there, by
+--- which name each object was loaded, and which cells were dug. So a state finds its objects in a
+--- world that has loaded the same maps anew, too.
 ---
 --- Objects are named by their map, its place (as before any `world:shift`) and their id in the
 --- editor; those of tiles by their cells. Layers that are out of the world, as `unload` leaves
@@ -16,8 +16,8 @@ local max, min = math.max, math.min
 
 local recall = {}
 
---- Returns what a world knows of its maps, by name: layers of tiles that are in it, and those that
---- are not, as long as the game has them; levels of several maps.
+--- Returns the memory of the maps of a world, by name: layers of tiles that are in it, and those
+--- that are not, as long as the game has them; levels of several maps.
 function recall.mapsOf(world)
   local b = world._bodies
   if not b.maps then
@@ -55,10 +55,10 @@ end
 
 -- Returns whether a layer has objects.
 local function isLiving(layer)
-  return layer and (layer._waiting[1] or cells.inWorld(layer)[1])
+  return layer and (cells.waiting(layer)[1] or cells.inWorld(layer)[1])
 end
 
---- Notes what a map has made.
+--- Notes the objects and layers that a map has made.
 ---@param world table
 ---@param made table `objects`; `_x`, `_y`: px, where the map is
 ---@param layers table[] physics.Tiles
@@ -73,14 +73,14 @@ function recall.enter(world, made, layers, waiting)
     end
   end
   for _, layer in ipairs(layers) do
-    layer.world, layer._isAway, layer._isSorted = world, waiting ~= nil, true
+    layer.world, layer._isAway = world, waiting ~= nil
     layer._x, layer._y, layer._name = layer._x - x, layer._y - y, layer._name .. place
     cells.place(layer, x, y)
     while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
     end
-    layer._waiting = waiting or {}
-    for _, object in ipairs(layer._waiting) do
+    layer._queue = waiting and properties.put({ isLoading = true, first = 1 }, waiting)
+    for _, object in ipairs(waiting or {}) do
       layer._isWaiting[object] = true
     end
     recall.setHere(layer, not waiting)
@@ -104,7 +104,7 @@ end
 
 -- Saving ------------------------------------------------------------------------------------------
 
--- Returns what a state holds of a layer: the same table until that changes.
+-- Returns the part of a state about a layer: the same table until the layer changes.
 local function snapshotOf(layer)
   if not layer._snapshot then
     local changes, isPart = {}, next(layer._isWaiting) ~= nil
@@ -133,11 +133,11 @@ local function saveNames(maps, loaded, objects, count)
   end
 end
 
---- Adds to the state `out` what it holds of maps (see state/format). `tables` gets what the same
---- world needs to go back.
-function recall.save(world, out, objects, tables)
+--- Adds to the state `out` its part about maps (see state/format). `tables`, the objects by number,
+--- gets the layers and levels to which the same world goes back.
+function recall.save(world, out, tables)
   local maps = mapsOf(world)
-  saveNames(maps, out.loaded, objects, out.count)
+  saveNames(maps, out.loaded, tables, out.count)
   out.tiles, out.maps, tables.layers, tables.made = {}, {}, {}, {}
   for name, layer in next, maps.here, nil do
     out.tiles[name], tables.layers[name] = snapshotOf(layer), layer
@@ -162,7 +162,7 @@ local function digTo(layer, changes)
   end
 end
 
---- Brings the maps and the cells of a world to what they were in a state. Returns its layers by
+--- Brings the maps and the cells of a world back to a state. Returns the layers of the state by
 --- name. Errors: a map cannot be read; nothing has changed then.
 ---@param tables table? see `save`, of a state of this world
 function recall.begin(world, st, tables)
@@ -205,16 +205,14 @@ end
 function recall.find(world, st, layers)
   local byName, named = {}, {}
   for _, atlas in next, mapsOf(world).atlases, nil do
-    addNames(byName, atlas.objects, true) -- what has left the world is its map's, too
+    addNames(byName, atlas.objects, true) -- its map still has an object that has left the world
   end
   for _, members in next, world.objects, nil do
     addNames(byName, members)
   end
   for _, layer in next, layers, nil do
     ---@cast layer table
-    for object in next, layer._isWaiting, nil do
-      byName[nameOf(object)] = object
-    end
+    addNames(byName, cells.waiting(layer))
   end
   for at = 1, #st.loaded, 2 do
     named[st.loaded[at]] = byName[st.loaded[at + 1]]
@@ -243,7 +241,7 @@ function recall.finish(world, st, layers, objects)
     for object in next, snapshot.isPart and list or {}, nil do
       cells.waitAgain(layer, object)
     end
-    layer._isAway, layer._snapshot, layer._leaving = snapshot.isAway, snapshot, nil
+    layer._isAway, layer._snapshot, layer._queue = snapshot.isAway, snapshot, nil
   end
 end
 

@@ -21,7 +21,7 @@ compiler.INTERPRETED = {
   -- may crash on x64: it reads the result of `next` through the lower half of a pointer to the
   -- stack.
   ["fields.check"] = "firstBad isEmpty",
-  ["maps.cells"] = "place clear",
+  ["maps.cells"] = "place clear waiting",
   ["maps.recall"] = "place snapshotOf save begin find finish",
   ["maps.properties"] = "put read saysThatItMoves isEmpty",
   ["maps.tiled.tileset"] = "index",
@@ -32,10 +32,9 @@ compiler.INTERPRETED = {
   ["objects.groups"] = "sortedKeys hasOthers haveChanged",
   ["objects.registry"] = "find",
   ["queries.move"] = "finish",
-  ["state.hash"] = "measure",
   ["state.format"] = "isPlain",
-  ["state.older"] = "read",
-  ["state.restore"] = "clear place",
+  ["state.older"] = "read objectsOf",
+  ["state.restore"] = "clear emptyGroups",
   ["state.validate"] = "needMaps",
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",

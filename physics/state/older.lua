@@ -3,7 +3,9 @@
 --- were; the library remembers nothing of them: contacts are told again, and riders board.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local format = require(root .. ".state.format")
 local layout = require(root .. ".memory.layout")
+local save = require(root .. ".state.save")
 
 local older = {}
 
@@ -23,28 +25,39 @@ local function nested(list, depth)
   return list and map
 end
 
--- Returns a sparse list for objects in another order. `isOurs`: of a field of the library, in which
--- a table that is no list of names is flat.
-local function sparse(old, order, isOurs)
-  local values, list = {}, {}
-  for at = 1, #old, 2 do
-    local value = old[at + 1]
+-- Writes a sparse list into the objects. `isOurs`: of a field of the library, in which a table that
+-- is no list of names is flat.
+local function write(all, name, list, isOurs)
+  for at = 1, #list, 2 do
+    local value = list[at + 1]
     local isFlat = isOurs and type(value) == "table" and value[2] ~= nil
     isFlat = isFlat and type(value[2]) ~= "string"
-    values[old[at]] = isFlat and nested(value, 1) or value
+    all[list[at]][name] = isFlat and nested(value, 1) or value
   end
-  for n = 1, #order do
-    if values[order[n]] ~= nil then
-      list[#list + 1], list[#list + 2] = n, values[order[n]]
+end
+
+-- Returns the objects of a state of version 2, by their number in it.
+local function objectsOf(old)
+  local all = {}
+  for n = 1, #old.x do
+    all[n] = {}
+    for _, name in ipairs(DENSE) do
+      all[n][name] = old[name][n] or nil
     end
   end
-  return list
+  for name, list in pairs(old.fields) do
+    write(all, name, list, true)
+  end
+  for _, entry in ipairs(old.own or {}) do
+    write(all, entry.name, entry.values)
+  end
+  return all
 end
 
 --- Returns a state of version 2 as one of today. (Objects that were added since the last step are
 --- the last ones there, in no group.)
 function older.read(old)
-  local st, order = {}, {}
+  local st, all, objects, own = {}, objectsOf(old), {}, {}
   for name, value in pairs(old) do
     st[name] = type(value) ~= "table" and value or {}
   end
@@ -55,22 +68,20 @@ function older.read(old)
     local count = group.objects and #group.objects or group.count
     st.groups[g] = { name = group.name, direct = group.direct, count = count, keys = group.keys }
     for m = 1, count do
-      order[#order + 1] = group.objects and group.objects[m] or #order + 1
+      objects[#objects + 1] = all[group.objects and group.objects[m] or #objects + 1]
     end
-  end
-  for _, name in ipairs(DENSE) do
-    st.fields[name] = {}
-    for n = 1, #order do
-      st.fields[name][n] = old[name][order[n]]
-    end
-  end
-  for name, list in pairs(old.fields) do
-    st.fields[name] = sparse(list, order, true)
   end
   for n, entry in ipairs(old.own or {}) do
-    st.own[n], st.fields[entry.name] = entry.name, sparse(entry.values, order)
+    own[n] = entry.name
   end
-  st.version, st.count, st.gone = layout.VERSION, #order, 0
+  st.version, st.count, st.boxes, st.others, st.gone = layout.VERSION, #objects, {}, {}, {}
+  for n, object in ipairs(objects) do
+    for m = 1, 4 do
+      st.boxes[4 * n - 4 + m] = object[DENSE[m]]
+    end
+    st.others[2 * n - 1], st.others[2 * n] = n, format.isStatic(object)
+  end
+  save.fields(nil, st, objects, own[1] and own)
   for _, entry in ipairs(layout.KEPT) do
     st.memory[entry[1]] = {}
   end

@@ -33,20 +33,18 @@ local max, min = math.max, math.min
 
 -- Which table is which object ---------------------------------------------------------------------
 
--- Calls visit(n, owner, key) for each object of a state: where it is in the tables of the game.
-local function forEach(world, st, visit)
-  local n = 0
-  for _, group in ipairs(st.groups) do
-    local owner = group.direct and world.objects or world.objects[group.name]
-    for m = 1, group.count do
-      n = n + 1
-      visit(n, owner, group.direct and group.name or group.keys and group.keys[m] or m)
-    end
-  end
+-- Returns the table of the game that holds the objects of a group in a state; nil: there is none.
+local function ownerOf(world, group)
+  return group.direct and world.objects or world.objects[group.name]
+end
+
+-- Returns the key of the m-th of these objects there.
+local function keyOf(group, m)
+  return group.direct and group.name or group.keys and group.keys[m] or m
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
--- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
+-- in a state from elsewhere: fields of the game may be on other objects then. nil: none.
 -- (Of a group of loaded objects that says nothing.)
 local function misfit(world, st, named)
   for _, group in ipairs(st.groups) do
@@ -62,24 +60,28 @@ local function misfit(world, st, named)
 end
 
 -- Returns all objects that a state from elsewhere names, by number: those `named`, if the state has
--- names; those at the same places, unless they have a name; and new ones. Second: what does not fit
--- (see misfit). Third: the new ones.
+-- names; those at the same places, unless they have a name; and new ones. Second: the sentence
+-- of `misfit`. Third: the new ones.
 local function match(world, st, named)
-  local objects, taken, new = {}, {}, {}
-  forEach(world, st, function(n, owner, key)
-    local object = type(owner) == "table" and not check.isObject(owner) and owner[key]
-    local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
-    if named and (named[n] or isFit and recall.nameOf(object)) then
-      object, isFit = named[n], named[n]
+  local objects, taken, new, n = {}, {}, {}, 0
+  for _, group in ipairs(st.groups) do
+    local owner = ownerOf(world, group)
+    for m = 1, group.count do
+      n = n + 1
+      local object = type(owner) == "table" and not check.isObject(owner) and owner[keyOf(group, m)]
+      local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
+      if named and (named[n] or isFit and recall.nameOf(object)) then
+        object, isFit = named[n], named[n]
+      end
+      if not isFit or taken[object] then
+        object = {}
+        new[#new + 1] = object
+      end
+      objects[n], taken[object] = object, true
     end
-    if not isFit or taken[object] then
-      object = {}
-      new[#new + 1] = object
-    end
-    objects[n], taken[object] = object, true
-  end)
-  for n = st.count + 1, st.count + st.gone do
-    objects[n] = {}
+  end
+  for g = 1, #st.gone do
+    objects[st.count + g] = {}
   end
   return objects, misfit(world, st, named), new
 end
@@ -92,7 +94,7 @@ local function clear(list)
   end
 end
 
--- Writes what a state holds of a field or setting, nil: nothing. A table that says the same stays;
+-- Writes the value of a field or setting in a state, nil: none. A table that says the same stays;
 -- `isShared`: another one is changed in place, since the game may hold it.
 local function write(owner, row, value, isShared)
   local now = owner[row.name]
@@ -105,34 +107,35 @@ local function write(owner, row, value, isShared)
   end
 end
 
--- Lists the numbers of the objects that are no mere tiles, or will be none.
-local function listSome(st, objects)
-  local has, some = {}, {}
-  for _, row in format.rows(st) do
-    local list = not format.isOfAll(row) and st.fields[row.name] or NONE
-    for at = 1, #list, 2 do
-      has[list[at]] = true
+-- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and
+-- read as a whole: all but tiles that are in place.
+local function writeBoxes(b, st, objects)
+  local odd, list, others, at, m = {}, st.boxes, st.others, 1, 1
+  for n = 1, st.count do
+    local object, i, isTile = objects[n], b.slotOf[objects[n]], others[m] ~= n
+    local isStatic = isTile or others[m + 1]
+    m = isTile and m or m + 2
+    if format.isStatic(object) ~= isStatic then
+      object.static = isStatic
     end
-  end
-  for n = 1, st.count + st.gone do
-    if has[n] or not check.isMere(objects[n]) then
-      some[#some + 1] = n
+    object.x, object.y = list[at], list[at + 1]
+    object.width, object.height = list[at + 2], list[at + 3]
+    local isStill = isTile and i and format.isTile(b, i, object)
+    if not (isStill and format.isInPlace(b, i, object)) then
+      odd[#odd + 1] = n
     end
+    at = at + 4
   end
-  return some
+  return odd
 end
 
--- Writes a field of all objects, or of those in `some`. What had left the world gets the fields it
--- had then.
-local function writeField(st, objects, row, some)
+-- Writes a field of all objects, or of those in `odd`.
+local function writeField(st, objects, row, odd)
   local name, list, at = row.name, st.fields[row.name] or NONE, 1
-  local isDense = format.isDense(row)
-  for m = 1, some and #some or st.count + (row.isOwn and 0 or st.gone) do
-    local n = some and some[m] or m
-    local object, value = objects[n], nil
-    if isDense then
-      value = list[n] or nil
-    elseif list[at] == n then
+  for m = 1, odd and #odd or st.count do
+    local n, value = odd and odd[m] or m, nil
+    local object = objects[n]
+    if list[at] == n then
       value, at = list[at + 1], at + 2
     end
     if object[name] ~= value then
@@ -141,8 +144,22 @@ local function writeField(st, objects, row, some)
   end
 end
 
--- Puts the objects into the game's groups. Groups that are not in the state are emptied.
-local function place(world, st, objects)
+-- Writes all fields. An object that had left the world gets those that it had then. Returns the
+-- list of `writeBoxes`.
+local function writeFields(b, st, objects)
+  local odd = writeBoxes(b, st, objects)
+  for _, row in format.rows(st) do
+    writeField(st, objects, row, not row.isOwn and odd)
+  end
+  for n, saved in ipairs(st.gone) do
+    for _, row in ipairs(fields.saved) do
+      write(objects[st.count + n], row, saved[row.name])
+    end
+  end
+  return odd
+end
+
+local function emptyGroups(world)
   for name, members in next, world.objects, nil do
     if type(members) ~= "table" or check.isObject(members) then
       world.objects[name] = nil
@@ -150,53 +167,58 @@ local function place(world, st, objects)
       clear(members)
     end
   end
-  for _, group in ipairs(st.groups) do
-    world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
-  end
-  forEach(world, st, function(n, owner, key)
-    owner[key] = objects[n]
-  end)
 end
 
--- Settings ----------------------------------------------------------------------------------------
-
-local function restoreSettings(world, saved)
-  for _, row in ipairs(fields.savedSettings) do
-    write(world, row, saved[row.name], true)
+-- Puts the objects into the game's groups. Groups that are not in the state are emptied.
+local function place(world, st, objects)
+  local n = 0
+  emptyGroups(world)
+  for _, group in ipairs(st.groups) do
+    world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
+    local owner = ownerOf(world, group)
+    for m = 1, group.count do
+      owner[keyOf(group, m)] = objects[n + m]
+    end
+    n = n + group.count
   end
-  settings.apply(world)
 end
 
 -- Reading -----------------------------------------------------------------------------------------
 
--- Reads a static object again, if its fields are others.
-local function readStatic(b, i, object)
-  local isStatic = b.kind[i] == STATIC
-  if isStatic ~= (object.static or false) or readFields.firstOfStatic(b, i, object) then
-    read.refresh(b, i)
-  end
-end
-
--- Reads what `update` would not read again: static objects. Also takes over places and velocities
--- of the others, so that what is only elsewhere need not be read anew. (Memory has the rest of it.)
--- Returns the numbers of those that have gone since, but are still known: they have no group yet.
-local function readKnown(b, st, objects)
-  local gone = {}
-  for n = 1, st.count do
-    local object, i = objects[n], b.slotOf[objects[n]]
-    if i and (b.kind[i] == STATIC or object.static) then
-      if b.group[i] then
-        readStatic(b, i, object)
-      else
-        gone[#gone + 1] = n
-      end
-    elseif i then
-      local k, written, velocity = 2 * i, b.written, b.velocity -- (`refresh` may make them grow)
+-- Takes over places and velocities of known objects that can move, so that an object that is only
+-- elsewhere need not be read anew. (Memory has the rest of it.)
+local function readKnown(b, objects, odd)
+  local written, velocity = b.written, b.velocity
+  for m = 1, #odd do
+    local object = objects[odd[m]]
+    local i = b.slotOf[object]
+    if i and b.kind[i] ~= STATIC and not format.isStatic(object) then
+      local k = 2 * i
       written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
       velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
     end
   end
-  return gone
+end
+
+-- Reads static objects again that have other fields now. (An object that a query has seen leave is
+-- in no group until all are read.) Lists the slots of all in `b.restored`.
+local function readStatic(b, objects, odd)
+  local slots = {}
+  b.restored = slots
+  for m = 1, #odd do
+    local object = objects[odd[m]]
+    local i, isStatic = b.slotOf[object], format.isStatic(object)
+    local wasStatic = i and b.kind[i] == STATIC
+    local isOther = isStatic and wasStatic and readFields.firstOfStatic(b, i, object)
+    if i and b.group[i] and (isOther or isStatic ~= wasStatic) then
+      read.refresh(b, i)
+    end
+    slots[#slots + 1] = b.slotOf[object]
+  end
+  for n = 1, b.movedCount do -- those that only stand in another group now, too
+    local i = b.movedList[n]
+    slots[#slots + 1] = b.kind[i] ~= 0 and i or nil -- (it may have left the world since)
+  end
 end
 
 -- Reads all objects in their old order. If the game has set another `order` since the last step, it
@@ -226,31 +248,36 @@ local function forget(b)
   b.contactCount = 0
 end
 
-local function restoreColumn(b, list, slots, entry)
+local function restoreColumn(b, list, objects, entry)
   local column, width, usual = b[entry[1]], entry[2], entry[3]
-  local last = layout.lastOf(b, entry[1])
+  local slotOf, last, slots = b.slotOf, layout.lastOf(b, entry[1]), b.restored
   local model, y, hint = b[usual], width - 1, entry.hint
   if hint then
     b[hint] = b[hint] or #list > 0
   end
-  for k = width, width * last, width do
-    column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
+  for m = 1, #slots do
+    local k = width * slots[m]
+    if slots[m] <= last then
+      column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
+    end
   end
   for at = 1, #list, 1 + width do
-    local value = entry.isLink and allot.embody(b, slots[list[at + 1]]) or list[at + 1]
-    local k = width * slots[list[at]] -- (`embody` may have moved it, and made the column grow)
+    local value = list[at + 1]
+    value = entry.isLink and allot.embody(b, slotOf[objects[value]]) or value
+    local slot = slotOf[objects[list[at]]] -- (`embody` may have moved it, and made the column grow)
     column = b[entry[1]]
-    if slots[list[at]] <= last then
+    if slot <= last then
+      local k = width * slot
       column[k], column[k + y] = value, entry.isLink and value or list[at + 1 + y]
     end
   end
 end
 
-local function restoreMemory(b, st, slots)
+local function restoreMemory(b, st, objects)
+  local slots = b.restored
   for n = 1, #COLUMNS do
-    restoreColumn(b, st.memory[COLUMNS[n][1]], slots, COLUMNS[n])
+    restoreColumn(b, st.memory[COLUMNS[n][1]], objects, COLUMNS[n])
   end
-  b.movedCount = 0
   for n = 1, #slots do
     local i = slots[n]
     b.fresh[i] = false
@@ -259,22 +286,23 @@ local function restoreMemory(b, st, slots)
     if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
       read.resetTouching(b, i)
     end
-    if b.moved[i] then
-      b.movedCount = b.movedCount + 1
-      b.movedList[b.movedCount] = i
-    end
+  end
+  b.movedCount = #st.memory.moved * 0.5
+  for n = 1, b.movedCount do
+    b.movedList[n] = b.slotOf[objects[st.memory.moved[2 * n - 1]]]
   end
 end
 
-local function restoreContacts(b, st, slots)
-  local list = st.contacts
-  pairFinder.run(b, slots, #slots)
+local function restoreContacts(b, st, objects)
+  local list, slotOf = st.contacts, b.slotOf
+  pairFinder.run(b, b.restored, #b.restored)
   for at = 1, #list, 2 + #PAIRS do
-    local one, other = list[at], list[at + 1]
-    local p = links.pairOf(b, slots[one], slots[other]) or links.link(b, slots[one], slots[other])
+    local one, other = objects[list[at]], objects[list[at + 1]]
+    local p = links.pairOf(b, slotOf[one], slotOf[other])
+      or links.link(b, slotOf[one], slotOf[other])
     for c = 1, #PAIRS do
       local value = list[at + 1 + c]
-      if b.pairA[p] ~= slots[one] and value ~= PAIRS[c][2] then
+      if b.pairA[p] ~= slotOf[one] and value ~= PAIRS[c][2] then
         value = PAIRS[c][3][value]
       end
       b[PAIRS[c][1]][p] = value
@@ -283,9 +311,9 @@ local function restoreContacts(b, st, slots)
   end
 end
 
-local function restoreTouching(b, st, objects, slots)
+local function restoreTouching(b, st, objects)
   for at = 1, #st.touching, 5 do
-    local touching = b.touching[slots[st.touching[at]]]
+    local touching = b.touching[b.slotOf[objects[st.touching[at]]]]
     for side = 1, touching and 4 or 0 do
       touching[constants.SIDES[side]] = objects[st.touching[at + side]] or false
     end
@@ -307,14 +335,14 @@ local function restoreEvents(b, st, objects)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
---- Makes a world what it was when `st` was saved. Returns what does not fit, or nil, and the
---- objects that it had to make (see match). Errors: a state that cannot be used; then nothing has
---- changed.
+--- Brings a world back to the moment at which `st` was saved. Returns the sentence of `misfit`, or
+--- nil, and the objects that it had to make (see match). Errors: a state that cannot be used; then
+--- nothing has changed.
 function restore.world(world, st)
-  local b, slots, layers, sentence, new = world._bodies, {}, nil, nil, {}
+  local b, layers, sentence, new = world._bodies, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
   st = validate.state(st, objects)
-  local isKnown = objects and #objects == st.count + st.gone
+  local isKnown = objects and #objects == st.count + #st.gone
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
@@ -325,25 +353,20 @@ function restore.world(world, st)
     objects, sentence, new = match(world, st, layers and recall.find(world, st, layers))
   end
   forget(b)
-  restoreSettings(world, st.settings)
-  local some = listSome(st, objects)
-  for _, row in format.rows(st) do
-    writeField(st, objects, row, not format.isOfAll(row) and some)
+  for _, row in ipairs(fields.savedSettings) do
+    write(world, row, st.settings[row.name], true)
   end
+  settings.apply(world)
+  local odd = writeFields(b, st, objects)
   place(world, st, objects)
-  local gone = readKnown(b, st, objects)
+  readKnown(b, objects, odd)
+  readStatic(b, objects, odd)
   readAll(world, st)
-  for n = 1, #gone do
-    readStatic(b, b.slotOf[objects[gone[n]]], objects[gone[n]])
-  end
+  readStatic(b, objects, odd)
   events.forget(b.events)
-  b.restored = slots
-  for n = 1, st.count do
-    slots[n] = b.slotOf[objects[n]]
-  end
-  restoreMemory(b, st, slots)
-  restoreContacts(b, st, slots)
-  restoreTouching(b, st, objects, slots)
+  restoreMemory(b, st, objects)
+  restoreContacts(b, st, objects)
+  restoreTouching(b, st, objects)
   restoreEvents(b, st, objects)
   b.restored = {}
   world._saved = st.saved

@@ -18,10 +18,10 @@ local KEYS = { "left", "right", "up" }
 
 local seconds, random, session, isToBreak ---@type number, any, table, boolean
 local left, frames, longestSleep = 0, 0, 0 -- s, frames, s
-local mostBytes, lastPing = 0, 0 -- bytes in a second; s
--- Frames with a rollback, in s of processor time: the longest, and of those that went back furthest
--- (`furthest` steps) the shortest, which is what it costs when nothing else disturbs.
-local longest, furthest, cost = 0, 0, 0
+local mostBytes = 0 -- bytes in a second
+-- Of the frames with a rollback that went back furthest (`furthest` steps), s of processor time of
+-- the shortest: so much it costs when nothing else disturbs.
+local furthest, cost = 0, 0
 
 local function printHash(step, mine, theirs)
   print(("hash %d %.17g %.17g"):format(step, mine, theirs))
@@ -54,10 +54,7 @@ end
 local function finish()
   local stats = session.stats
   print(("steps %d"):format(session.now))
-  print(("ping %.0f ms"):format(lastPing * 1000))
-  print(("mostBack %d frames"):format(stats.mostBack))
   print(("longestRollback %.2f ms"):format(cost * 1000))
-  print(("longestFrame %.2f ms"):format(longest * 1000))
   print(("longestSleep %.0f ms"):format(longestSleep * 1000))
   print(("longestWait %.0f ms"):format(stats.longestWait * 1000))
   print(("mostBytes %.0f"):format(mostBytes))
@@ -79,7 +76,6 @@ function love.update(dt)
   if isToBreak and frames > 180 and not session.stats.desync then
     online.sides[1].game.ball.x = 300 -- again and again: a rollback would mend it
   end
-  lastPing = session.stats.ping or lastPing
   local before = os.clock()
   online.update(FRAME)
   local back, time = session.replayed, os.clock() - before
@@ -88,7 +84,6 @@ function love.update(dt)
   elseif back > 0 and back == furthest then
     cost = math.min(cost, time)
   end
-  longest = math.max(longest, back > 0 and time or 0)
   if frames > 240 then -- the state, which comes first, is as much as a second of play
     mostBytes = math.max(mostBytes, session.stats.bytes)
   end

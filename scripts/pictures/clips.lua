@@ -56,6 +56,11 @@ local function hero(object, look)
   end
 end
 
+local function ground(y)
+  color("slate")
+  love.graphics.rectangle("fill", 0, y, WIDTH, 60)
+end
+
 local function step(world, each)
   for _ = 1, STEPS do
     world:update(DT)
@@ -106,8 +111,7 @@ function clips.stack()
   return function()
     step(world)
   end, function()
-    color("slate")
-    love.graphics.rectangle("fill", 0, 330, WIDTH, 40)
+    ground(330)
     local gap = 0
     for i, each in ipairs(boxes) do
       box(each, ROW[(i - 1) % #ROW + 1])
@@ -163,8 +167,7 @@ function clips.bullets()
   return play,
     function()
       local through = 0
-      color("slate")
-      love.graphics.rectangle("fill", 0, 330, WIDTH, 40)
+      ground(330)
       love.graphics.rectangle("fill", 30, 180, 50, 40, 6)
       love.graphics.rectangle("fill", 80, 192, 24, 16, 3)
       color("white")
@@ -211,8 +214,7 @@ function clips.rates()
       playLane(lane)
     end
   end, function()
-    color("slate")
-    love.graphics.rectangle("fill", 0, 300, WIDTH, 60)
+    ground(300)
     color("yellow", 0.7)
     for x = 8, WIDTH, 24 do
       love.graphics.rectangle("fill", x, 60, 12, 2)
@@ -257,8 +259,7 @@ function clips.bits()
   end
   return play,
     function()
-      color("slate")
-      love.graphics.rectangle("fill", 0, 310, WIDTH, 60)
+      ground(310)
       for i, each in ipairs(boxes) do
         box(each, ROW[i % #ROW + 1])
       end

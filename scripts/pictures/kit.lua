@@ -7,28 +7,22 @@ local enemy = require("examples.kit.enemy")
 local hero = require("examples.kit.hero")
 local lift = require("examples.kit.lift")
 local physics = require("physics")
+local stage = require("scripts.pictures.stage")
 
 local scenes = {}
 
+local add, write = stage.add, stage.write
+
 local DT = 1 / 60
-local WORDS, TRAIL = { 0.78, 0.8, 0.85 }, { 1, 0.8, 0.46, 0.5 }
+local TRAIL = { 1, 0.8, 0.46, 0.5 }
 
 local function newWorld(boxes)
   local world = physics.newWorld({ gravity = 1600 })
   world:add("walls", { x = 0, y = 260, width = 720, height = 40, static = true })
   for _, box in ipairs(boxes or {}) do
-    local object = { x = box[1], y = box[2], width = box[3], height = box[4], static = true }
-    for name, value in pairs(box[6] or {}) do
-      object[name] = value
-    end
-    world:add(box[5] or "walls", object)
+    add(world, box[5] or "walls", box[1], box[2], box[3], box[4], box[6], true)
   end
   return world
-end
-
-local function write(text, x, y)
-  love.graphics.setColor(WORDS)
-  love.graphics.printf(text, x - 100, y, 200, "center")
 end
 
 -- Plays frames; what is in `objects` leaves its outline every `every` frames, and a line of its

@@ -9,59 +9,41 @@ local clips = require("scripts.pictures.clips")
 local scenes = require("scripts.pictures.scenes")
 local steps = require("scripts.pictures.steps")
 
-local name, path, frames
+local path, frames -- nil: one picture, which is `path` itself
 local frame = 0
-local play, draw
+local draw
+local function play() end
 
-local function write(image, to)
-  local file = assert(io.open(to, "wb"))
-  file:write(image:encode("png"):getString())
-  file:close()
-end
-
--- Draws once, and writes the picture.
-local function drawStill()
-  draw()
-  love.graphics.captureScreenshot(function(image)
-    write(image, path)
-    love.event.quit()
-  end)
-end
-
-function love.load(arguments)
-  name, path, frames = arguments[1], arguments[2], tonumber(arguments[3])
-  love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
-  if clips[name] then
-    love.window.setMode(640, 360)
-    play, draw = clips[name]()
-  elseif scenes[name] then
-    love.graphics.setFont(love.graphics.newFont(13))
-    draw = scenes[name]
-  else
-    love.window.setMode(800, 600)
-    love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
-    draw = steps.play(name)
-    love.draw, love.update = drawStill, nil
-  end
-end
-
+-- Plays a frame, draws it, and writes the picture.
 local function film()
   play()
-  frame = frame + 1
   draw()
-  local number, isLast = frame, frame == frames
+  frame = frame + 1
+  local to = frames and ("%s/%04d.png"):format(path, frame) or path
+  local isLast = frame == (frames or 1)
   love.graphics.captureScreenshot(function(image)
-    write(image, ("%s/%04d.png"):format(path, number))
+    local file = assert(io.open(to, "wb"))
+    file:write(image:encode("png"):getString())
+    file:close()
     if isLast then
       love.event.quit()
     end
   end)
 end
 
-function love.draw()
-  if play then
-    film()
+function love.load(arguments)
+  local name = arguments[1]
+  path, frames = arguments[2], tonumber(arguments[3])
+  local size = clips[name] and { 640, 360 } or scenes[name] and { 720, 300 } or { 800, 600 }
+  love.window.setMode(size[1], size[2])
+  love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
+  if clips[name] then
+    play, draw = clips[name]()
+  elseif scenes[name] then
+    love.graphics.setFont(love.graphics.newFont(13))
+    draw = scenes[name]
   else
-    drawStill()
+    draw = steps.play(name)
   end
+  love.draw, love.update = film, nil
 end

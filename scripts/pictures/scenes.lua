@@ -4,40 +4,25 @@
 local physics = require("physics")
 
 local scenes = require("scripts.pictures.kit")
+local stage = require("scripts.pictures.stage")
+
+local write = stage.write
 
 local DT = 1 / 60
-local WORDS = { 0.78, 0.8, 0.85 }
 local ARROWS = { 1, 0.8, 0.46 }
 
-local function play(world, seconds, each)
+local function play(world, seconds)
   for _ = 1, math.floor(seconds / DT + 0.5) do
     world:update(DT)
-    if each then
-      each()
-    end
   end
-end
-
-local function addStatic(world, x, y, width, height, fields)
-  local object = { x = x, y = y, width = width, height = height, static = true }
-  for key, value in pairs(fields or {}) do
-    object[key] = value
-  end
-  return world:add("tiles", object)
 end
 
 local function addBox(world, x, y, width, height, fields)
-  local object = { x = x, y = y, width = width, height = height }
-  for key, value in pairs(fields or {}) do
-    object[key] = value
-  end
-  return world:add("boxes", object)
+  return stage.add(world, "boxes", x, y, width, height, fields)
 end
 
--- Writes a text with its middle at x.
-local function write(text, x, y)
-  love.graphics.setColor(WORDS)
-  love.graphics.printf(text, x - 100, y, 200, "center")
+local function addStatic(world, x, y, width, height, fields)
+  return stage.add(world, "tiles", x, y, width, height, fields, true)
 end
 
 -- An arrow along an axis.

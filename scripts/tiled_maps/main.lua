@@ -17,14 +17,6 @@ local function tileLayers(layers, names)
   return names
 end
 
-local function countStatic(level)
-  local count = 0
-  for _, object in ipairs(level.objects) do
-    count = count + (object.static and 1 or 0)
-  end
-  return count
-end
-
 local function load(path, options)
   local world = physics.newWorld()
   local level = world:loadTiled(path, options)
@@ -32,16 +24,6 @@ local function load(path, options)
     world:update(1 / 60)
   end
   return level
-end
-
-local function report(path, level)
-  print(("%s: %d of %d objects are static"):format(path, countStatic(level), #level.objects))
-  for _, part in ipairs(level.unsupported) do
-    print("  unsupported:", part.kind, part.layer, part.id, part.reason)
-  end
-  for _, layer in ipairs(level.solidLayers) do
-    print("  solid:", layer.name, layer.reason)
-  end
 end
 
 -- Returns a value as a text. What leads back to the map is left out, and so are functions.
@@ -76,7 +58,6 @@ end
 
 local function checkMap(path, expected)
   local map, plain = love.filesystem.load(path)(), load(path)
-  report(path, plain)
   local inJson = load(path:gsub("%.lua$", ".json"), { decode = json.decode })
   if describe(inJson) ~= describe(plain) then
     print("  JSON gives another level:", describe(inJson))

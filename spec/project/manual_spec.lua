@@ -1,7 +1,6 @@
 --- What scripts write from the source is what they would write now, and the source says it all.
 
 local docstrings = require("scripts.docstrings")
-local examples = require("scripts.manual_examples")
 local fields = require("scripts.meanings")
 local manual = require("scripts.manual")
 local physics = require("physics")
@@ -19,13 +18,6 @@ local function assertSame(expected, found)
   end
   assert.equal(expected, found)
 end
-
-local SOURCES = {
-  { "physics.lua", "physics" },
-  { "physics/world/tutorial.lua", "pure" },
-  { docstrings.WORLD, "World" },
-  { "physics/maps/tiles.lua", "Tiles" },
-}
 
 describe("the reference", function()
   local pages = manual.pages()
@@ -45,12 +37,10 @@ describe("the reference", function()
         expected[(methods[name] and "world:" or "physics.") .. name] = 1
       end
     end
-    for name in all:gmatch("\n## (%l+[:.]%l%w*)\n\n`[^`\n]+%(") do
-      assert(examples[name], "scripts/manual_examples.lua has none for " .. name)
+    local marked = all:gsub("\n## ", "\n\1")
+    for name, section in marked:gmatch("\1(%l+[:.]%l%w*)\n\n(`[^`\n]+%([^\1]*)") do
+      assert(section:find("\n```lua\n"), "docs/api/ has no example at the end of " .. name)
       found[name] = name:find("^world") or name:find("^physics") or nil
-    end
-    for name in pairs(examples) do
-      assert(all:find("\n## " .. name .. "\n", 1, true), name)
     end
     assert.same(expected, found)
   end)
@@ -109,11 +99,11 @@ describe("physics/types.lua", function()
 end)
 
 describe("the docstring", function()
-  for _, source in ipairs(SOURCES) do
-    local _, list = docstrings.functions(source[1], source[2])
+  for _, source in ipairs(docstrings.SOURCES) do
+    local list = docstrings.functions(source)
 
-    it("names each parameter, says what it is, and what is refused: " .. source[2], function()
-      assert.is_true(#list > 2)
+    it("names each parameter, says what it is, and what is refused: " .. source.owner, function()
+      assert.is_true(#list > 1)
       for _, entry in ipairs(list) do
         local names = {}
         for _, param in ipairs(entry.params) do

@@ -1,5 +1,9 @@
 --- The scripts that look at the specs themselves: what they change or mark in a source text.
 
+if not rawget(_G, "jit") then
+  return -- they run on LuaJIT: luacheck, which splits the text, is there for that
+end
+
 local coverage = require("scripts.coverage")
 local mutations = require("scripts.mutations")
 
