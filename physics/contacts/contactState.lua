@@ -45,10 +45,16 @@ local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
     return
-  elseif b.hasShapes and touch.haveFaces(b, i, j) then
-    return
   end
   local position, size = b.position, b.size
+  if b.hasShapes and touch.haveFaces(b, i, j) then
+    local box, ramp = touch.order(b, i, j)
+    local side = touch.sideBefore(b, box, ramp, position, size, position)
+    if side > 0 then
+      b.wedged[p] = box == i and side or OPPOSITE[side]
+    end
+    return
+  end
   for axis = 0, 1 do
     local ki, kj = 2 * i + axis, 2 * j + axis
     local r = position[kj] - position[ki]
@@ -65,8 +71,8 @@ local function leaveInside(b, i, j)
   b.hasInside = true
 end
 
--- Returns the side of the first body of pair p on which the two, which overlap, would part by the
--- shortest way.
+-- Returns the side of the first body of pair p on which it would leave the second one, which it
+-- overlaps, by the shortest way.
 local function shortestSide(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local isSwapped = b.rank[j] < b.rank[i] -- a tie is decided by the order of the world
@@ -121,7 +127,7 @@ local function solidContact(b, p, i, j)
   return flushContact(b, p, i, j, side)
 end
 
--- Returns the side on which a sensor was entered, while the two overlap, else 0.
+-- Returns the side on which a sensor was entered, while a body is in it, else 0.
 local function sensorContact(b, p, i, j)
   if sideOf(b, p, i, j) ~= INSIDE or b.passing[p] then
     return 0

@@ -14,6 +14,9 @@
 -- always is such a point: objects that stand still do not crush the box, and it ends in none of
 -- them. If two faces close on each other, the box is left to `settle.squeeze`: machines do crush.
 --
+-- A box that was clipped gives way nowhere in this step. Others that are in its way are clipped,
+-- too: it is a wall for them, but only towards the sides on which faces stop it.
+--
 -- The point is found by space/planes.lua.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -34,12 +37,11 @@ local walk = require(root .. ".solver.walk")
 local clip = {}
 
 local AXIS, APART, SLANTED = constants.AXIS, contacts.APART, contacts.SLANTED
-local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
+local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
+local EPSILON = constants.EPSILON
 local neighbours = links.neighbours
 local isBox, isRound, BOX = shapes.isBox, shapes.isRound, shapes.BOX
 local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
--- How often all boxes are clipped in a step: a box that was stopped is in the way of others.
-local PASSES = 4
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
 local nx, ny, least, wall = planes.nx, planes.ny, planes.least, planes.wall
@@ -49,8 +51,10 @@ local NEAR = 0.001
 -- px/s: slower things stand still.
 local STILL = 1e-6
 
--- Only bodies of a lower kind are in the way.
-local limit = DYNAMIC
+-- Which walls count: ALL; 2: not the static ones behind other bodies, since these bodies may give
+-- way; FIXED: static ones only.
+local ALL, FIXED = 1, 3
+local counting = ALL
 
 -- How fast slot `wall` of half-plane n goes along the normal of half-plane m, px/s.
 local function speedAlong(b, n, m)
@@ -78,20 +82,23 @@ local function spread(b, list, room, walls, sign)
   for c = first, last, sign do
     local k, m = near[c], far[c]
     local place = room[k] + sign * list.separation[c]
-    if b.give[m] > 0 and place * sign > room[m] * sign then
+    if b.kind[floor(m * 0.5)] == DYNAMIC and place * sign > room[m] * sign then
       room[m], walls[m] = place, walls[k]
     end
   end
 end
 
 -- Notes how far each body can go along an axis until it meets a wall, directly or through other
--- bodies, and which wall that is. (Bodies that are squeezed are in each other.)
+-- bodies, and which wall that is. (Bodies that are squeezed are in each other. One that was clipped
+-- is a wall where faces stop it, and gives way to its other side.)
 local function findRoom(b, axis)
-  local list, give, to = b.contacts[axis], b.give, b.to
+  local list, give, to, loose, stamp = b.contacts[axis], b.give, b.to, b.loose, b.solveStamp
   for c = 1, list.count do
     for n = 1, 2 do
       local k = n == 1 and list.low[c] or list.high[c]
-      b.roomLow[k], b.roomHigh[k] = give[k] == 0 and to[k] or -huge, give[k] == 0 and to[k] or huge
+      local isLooseLow = give[k] > 0 or loose[2 * k] == stamp
+      local isLooseHigh = give[k] > 0 or loose[2 * k + 1] == stamp
+      b.roomLow[k], b.roomHigh[k] = isLooseLow and -huge or to[k], isLooseHigh and huge or to[k]
       b.wallLow[k], b.wallHigh[k] = floor(k * 0.5), floor(k * 0.5)
     end
   end
@@ -99,18 +106,25 @@ local function findRoom(b, axis)
   spread(b, list, b.roomHigh, b.wallHigh, -1)
 end
 
+-- Adds a half-plane that slot j, directly or through others, keeps box i in, if that wall counts.
+local function addWall(b, x, y, place, j, itsSide)
+  if counting == ALL or b.kind[j] ~= STATIC then
+    planes.add(b.rank, x, y, place, j, itsSide)
+  end
+end
+
 -- Adds the half-planes of the objects that box i touches, but for edges of slopes.
 local function addRoom(b, i)
   for _, j, p in neighbours(b, i) do
-    local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and limit == DYNAMIC
+    local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and counting < FIXED
     if isContact and not touch.haveFaces(b, i, j) then
       local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i
       if isLow and b.roomHigh[kh] < huge then
         local place = separation - b.roomHigh[kh]
-        planes.add(b.rank, axis - 1, -axis, place, b.wallHigh[kh], 2 * axis + 2)
+        addWall(b, axis - 1, -axis, place, b.wallHigh[kh], 2 * axis + 2)
       elseif not isLow and b.roomLow[kl] > -huge then
-        planes.add(b.rank, 1 - axis, axis, b.roomLow[kl] + separation, b.wallLow[kl], 2 * axis + 1)
+        addWall(b, 1 - axis, axis, b.roomLow[kl] + separation, b.wallLow[kl], 2 * axis + 1)
       end
     end
   end
@@ -127,8 +141,8 @@ end
 
 -- Whether slot j, of pair p, stops box i, and does not give way.
 local function isWall(b, p, i, j)
-  local isFlat = b.kind[j] < limit and not isRound[b.shape[j]]
-  return isFlat and not b.passing[p] and filter.blocks(b, i, j)
+  local isFirm = b.kind[j] == STATIC or b.kind[j] == KINEMATIC and counting < FIXED
+  return isFirm and not isRound[b.shape[j]] and not b.passing[p] and filter.blocks(b, i, j)
 end
 
 -- Returns the wall that box i would be deepest in at (x, y), at moment t; nil: it would be in none.
@@ -216,11 +230,23 @@ local function block(b, i, n)
   end
 end
 
+-- Notes that a face with such a normal stops body k on one side of an axis.
+local function stop(b, k, normal)
+  if normal ~= 0 then
+    b.loose[2 * k + (normal < 0 and 1 or 0)] = 0
+  end
+end
+
 -- Puts box i, which leans on the half-planes that are left, at (x, y). Its velocity is the nearest
 -- one at which it goes into none of them.
 local function put(b, i, x, y)
   local k = 2 * i
+  for at = 2 * k, 2 * k + 3 do
+    b.loose[at] = b.solveStamp
+  end
   for n = 1, planes.count do
+    stop(b, k, nx[n])
+    stop(b, k + 1, ny[n])
     local pressed = side[n] % 2 == 0 and b.pressedHigh or b.pressedLow
     pressed[k + AXIS[side[n]]] = true
     if planes.count == 2 then
@@ -234,10 +260,10 @@ local function put(b, i, x, y)
   b.squeezed[k], b.squeezed[k + 1], b.give[k], b.give[k + 1] = 0, 0, 0, 0
 end
 
--- Whether box i and slot j, of pair p, were both clipped, one into the other.
+-- Whether box i and slot j, of pair p, are in each other, and one of them was clipped.
 local function areCaught(b, p, i, j)
-  local areFixed = b.kind[j] == DYNAMIC and b.give[2 * i] == 0 and b.give[2 * j] == 0
-  return areFixed and b.touches[p] ~= APART and boxes.gap(b, b.to, i, j) < -EPSILON
+  local isClipped = b.kind[j] == DYNAMIC and (b.give[2 * i] == 0 or b.give[2 * j] == 0)
+  return isClipped and b.touches[p] ~= APART and boxes.gap(b, b.to, i, j) < -EPSILON
 end
 
 -- Returns whether box i has a slope beside it, and is in that, or squeezed.
@@ -257,27 +283,49 @@ local function isSqueezed(b, i)
   return false
 end
 
--- Clips the ways of all that need it. Returns whether there were any.
+-- Clips the way of box i. Returns whether it could: a box that machines press is only kept out of
+-- static objects.
+local function clipOne(b, i)
+  for n = ALL, FIXED do
+    counting = n
+    local x, y = findPlace(b, i)
+    counting = ALL
+    if x and n < FIXED then
+      put(b, i, x, y)
+      return true
+    elseif x then
+      path.lead(b, i, x, y)
+    end
+  end
+  return false
+end
+
+-- Returns whether a body near slot i, with which that is no contact, was clipped in this round.
+local function isBesideClipped(b, i)
+  for _, j, p in neighbours(b, i) do
+    if b.touches[p] == APART and b.inRound[j] == b.roundStamp then
+      return true
+    end
+  end
+  return false
+end
+
+-- Clips the ways of all that need it. (Of two that are apart only the first one: it may be in the
+-- way of the other one.) Returns whether there were any.
 local function clipAll(b)
   local hasRoom, hasClipped = false, false
+  b.roundStamp = b.roundStamp + 1
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
-    if isMovable and isSqueezed(b, i) then
+    if isMovable and isSqueezed(b, i) and not isBesideClipped(b, i) then
       if not hasRoom then
         findRoom(b, 0)
         findRoom(b, 1)
         hasRoom = true
       end
-      local x, y = findPlace(b, i)
-      if x then
-        put(b, i, x, y)
-        hasClipped = true
-      else -- machines press it: it stays out of static bodies
-        limit = constants.KINEMATIC
-        x, y = findPlace(b, i)
-        limit = DYNAMIC
-        path.lead(b, i, x or b.to[2 * i], y or b.to[2 * i + 1])
+      if clipOne(b, i) then
+        b.inRound[i], hasClipped = b.roundStamp, true
       end
     end
   end
@@ -285,18 +333,16 @@ local function clipAll(b)
 end
 
 --- Clips the ways of all boxes that end in a slope, or that a slope squeezes, and settles the
---- bodies that lean on them. If bodies have been woken since there were `awakenings`, the step
---- begins anew: their contacts are not known yet.
-function clip.run(b, dt, awakenings)
-  for _ = 1, PASSES do
-    if b.awakenings ~= awakenings or not clipAll(b) then
-      return
-    end
-    settle.axis(b, 0, dt, true)
-    settle.axis(b, 1, dt, true)
-    walk.run(b, dt, false)
-    rounds.findChanged(b)
+--- bodies that lean on them. Returns whether there were any.
+function clip.run(b, dt)
+  if not clipAll(b) then
+    return false
   end
+  settle.axis(b, b.contacts[0], dt, true)
+  settle.axis(b, b.contacts[1], dt, true)
+  walk.run(b, dt, false)
+  rounds.findChanged(b)
+  return true
 end
 
 return clip

@@ -205,9 +205,9 @@ function friction.run(b, axis, dt)
     end
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
-    settle.hold(b, other, dt)
+    settle.hold(b, rubbed, dt)
     isGlued = bonds.glue(b, held, dt)
-    settle.finish(b, other, dt, isGlued, false)
+    settle.finish(b, rubbed, dt, isGlued, false)
     local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break

@@ -14,7 +14,7 @@
 --   ##############      front of all that stop it (`leaveWalls`), which passes reach slowly.
 --                    3. The same with the speeds, for the rows that touch at the end: they must not
 --                       close. The speed along the tangent is kept.
---                    4. Under gravity SHOCKS more, in which the lower one of two does not give way,
+--                    4. Under gravity SHOCKS more, in which the lower body does not give way,
 --                       so that a heap does not sink.
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
@@ -68,28 +68,31 @@ local function arrange(b)
   sort.by(base, s.count, s.height, s.first, s.second)
 end
 
--- Returns by how much the two of row c end nearer to each other than they may be, px.
+-- Returns by how much the bodies of row c end nearer to each other than they may be, px.
 local function depthOf(b, c)
   local s = b.slants
   return s.least[c] - along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
 end
 
-local function needsPress(b, c)
-  local s = b.slants
-  return s.isNew[c] or depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
+-- Returns whether plane c is new, or violated while one of its bodies has another path than at the
+-- last sweep, or (`ofAll`) any path. (Passes that others need must not move those of a heap.)
+local function needsPress(b, c, ofAll)
+  local s, dirty, stamp = b.slants, b.dirty, b.dirtyStamp
+  local isChanged = ofAll or dirty[s.one[c]] == stamp or dirty[s.other[c]] == stamp
+  return s.isNew[c] or isChanged and depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
 end
 
---- Returns whether there is a new plane, or one that is violated.
-function press.isNeeded(b)
+--- Returns whether there is a new plane, or a violated one, of changed bodies or of all (`ofAll`).
+function press.isNeeded(b, ofAll)
   for c = 1, b.slants.count do
-    if needsPress(b, c) then
+    if needsPress(b, c, ofAll) then
       return true
     end
   end
   return false
 end
 
--- Marks both of two if one of them is marked, and both are dynamic.
+-- Marks slots i and j if one of them is marked, and both are dynamic.
 local function reach(b, i, j)
   local s = b.slants
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
@@ -100,10 +103,10 @@ end
 
 -- Marks the dynamic bodies of planes that are new or violated, and the bodies that touch these,
 -- directly or through others. All others are solved already, and do not depend on these.
-local function spread(b)
+local function spread(b, ofAll)
   local s, kind, base = b.slants, b.kind, b.slants.base
   for c = 1, s.count do
-    if needsPress(b, c) then
+    if needsPress(b, c, ofAll) then
       local i, j = s.one[c], s.other[c]
       s.isNew[c] = false
       s.mark[i], s.mark[j] =
@@ -148,11 +151,11 @@ end
 
 -- Lists the rows to be solved: planes, and behind them the contacts along an axis of the same
 -- bodies.
-local function listRows(b)
+local function listRows(b, ofAll)
   local s, last = b.slants, b.slants.count
   s.rows, s.stamp = 0, s.stamp + 1
   arrange(b)
-  spread(b)
+  spread(b, ofAll)
   for n = 1, s.count do
     local c = s.base[n]
     if s.mark[s.one[c]] == s.stamp or s.mark[s.other[c]] == s.stamp then
@@ -273,7 +276,7 @@ end
 
 -- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
 -- nearest velocity that goes into none. That is no further away than where it began, or a
--- standstill, and the ways of the walls. (The corner of two that come from opposite sides may be
+-- standstill, and the ways of the walls. (The corner of walls that come from opposite sides may be
 -- anywhere.)
 local function leaveWalls(b, column, isOfSpeeds)
   local s = b.slants
@@ -302,7 +305,7 @@ end
 -- The end of the step -----------------------------------------------------------------------------
 
 -- Limits how far dynamic slot i is pushed: a share of its size, and as far as it moves by itself.
--- (A body between two that cannot move would be pushed to and fro.)
+-- (A body between immovable ones would be pushed to and fro.)
 local function limit(b, i)
   local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
   local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
@@ -328,7 +331,7 @@ local function findFlush(b)
   end
 end
 
--- Clears the pushes of the rows of bodies without room: between two that cannot move, each pass has
+-- Clears the pushes of the rows of bodies without room: between immovable ones, each pass has
 -- pushed such a body to and fro.
 local function forgetJams(b)
   local s = b.slants
@@ -396,8 +399,8 @@ local function solve(b, passCount, isShock)
 end
 
 --- Pushes all pairs apart that end nearer to each other than they may be.
-function press.run(b)
-  listRows(b)
+function press.run(b, ofAll)
+  listRows(b, ofAll)
   if b.slants.rows == 0 then
     return
   end
@@ -427,8 +430,8 @@ function press.finish(b)
   slant.findLate(b)
   if s.count == 0 then
     return false
-  elseif press.isNeeded(b) then
-    press.run(b)
+  elseif press.isNeeded(b, true) then
+    press.run(b, true)
   end
   arrange(b)
   for c = 1, s.count do

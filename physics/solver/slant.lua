@@ -10,7 +10,7 @@
 --           o                they are there.
 --          (-)
 --
--- Both shapes are convex. So two that stay on their sides of the plane cannot overlap, at any speed
+-- Both shapes are convex. So bodies on their own sides of the plane cannot overlap, at any speed
 -- and wherever else they go. Pairs that bounce get no plane: they have impacts.
 --
 -- Planes are found in four ways: of pairs that touch when the step begins (`takes`), that will meet

@@ -52,12 +52,15 @@ local LATE = 12
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
+-- How often boxes are clipped: one that was stopped is in the way of others.
+local CLIPS = 8
 -- How often slanted contacts are solved before the first round.
 local PRESSES = 3
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
+  b.violated = { [0] = contacts.newList(0, true), contacts.newList(1, true) }
   b.impacts = sweep.newImpacts()
   b.slants = { count = 0 }
 end
@@ -77,9 +80,9 @@ end
 local function settleTouching(b, dt)
   contacts.find(b)
   local down, across = b.downAxis, 1 - b.downAxis
-  settle.axis(b, down, dt, false)
+  settle.axis(b, b.contacts[down], dt, false)
   if not (b.hasFriction and friction.run(b, down, dt)) then
-    settle.axis(b, across, dt, false)
+    settle.axis(b, b.contacts[across], dt, false)
   end
   if b.hasFriction then
     friction.run(b, across, dt)
@@ -100,15 +103,11 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles the axes on which a contact is violated at the end of the step, follows the ground, and
--- looks up the neighbours of the new paths. `isFirst`: before the first round.
+-- Settles the bodies that are connected with violated contacts, follows the ground, and looks up
+-- the neighbours of the new paths. `isFirst`: before the first round.
 local function settleLate(b, dt, isFirst)
-  for n = 0, 1 do
-    local axis = n == 0 and b.downAxis or 1 - b.downAxis
-    if b.isJammed or settle.isViolated(b, axis) then
-      settle.axis(b, axis, dt, true)
-    end
-  end
+  settle.again(b, b.downAxis, dt)
+  settle.again(b, 1 - b.downAxis, dt)
   b.isJammed = false
   rounds.findChanged(b)
   if b.walks then
@@ -122,8 +121,8 @@ end
 local function pressRound(b, dt, isFirst)
   for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
     local hasNew = isFirst and slant.find(b, n == 1)
-    if hasNew or press.isNeeded(b) then
-      press.run(b)
+    if hasNew or press.isNeeded(b, isFirst) then
+      press.run(b, isFirst)
       settleLate(b, dt, false)
     elseif n > 1 then
       return
@@ -224,8 +223,12 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
-  if b.walks then
-    clip.run(b, dt, awakenings)
+  for _ = 1, b.walks and CLIPS or 0 do
+    -- (If bodies have woken, the step begins anew: their contacts are not known yet.)
+    if b.awakenings ~= awakenings or not clip.run(b, dt) then
+      break
+    end
+    hasChanged = runRounds(b, dt, awakenings) or hasChanged
   end
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)

@@ -80,12 +80,22 @@ local function jumped(self, object, dt, carried)
   return way > own + SEEN and way - own
 end
 
--- Whether an object was stopped dead twice, with nothing at its side. (Once: it has just left what
--- it touched when the step began.)
+local function isSlope(object)
+  return object and object.slope
+end
+
+-- Whether an object was stopped dead twice, with nothing at its side, and no slope. (Once: it has
+-- just left what it touched when the step began.)
 local function isStopped(self, object)
   local was, t = self.limit[object], object.touching
-  local isX = abs(was.vx) > FAST and abs(object.vx) < STILL and not (t.left or t.right)
-  local isY = abs(was.vy) > FAST and abs(object.vy) < STILL and not (t.top or t.bottom)
+  local isX = abs(was.vx) > FAST
+    and abs(object.vx) < STILL
+    and not (t.left or t.right)
+    and not (isSlope(t.top) or isSlope(t.bottom))
+  local isY = abs(was.vy) > FAST
+    and abs(object.vy) < STILL
+    and not (t.top or t.bottom)
+    and not (isSlope(t.left) or isSlope(t.right))
   local isDead = isX and was.isX or isY and was.isY
   was.isX, was.isY = isX, isY
   return isDead

@@ -261,7 +261,7 @@ describe("kinematic: a heap that it squeezes", function()
       named.piston.vx = 200 - left
       scene.watch(run, watch, 1)
       named.piston.vx = 0
-      scene.watch(run, watch, count < 40 and restitution == 0 and 2 or 3)
+      scene.watch(run, watch, count < 40 and restitution == 0 and 2.5 or 3)
       expectRest(run)
     end)
   end

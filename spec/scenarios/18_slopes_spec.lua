@@ -269,9 +269,31 @@ describe("slope: hills", function()
 
   local LOW = { solid("flat", -200, 400, 600, 20), slope(0, 326, 200, 100, "topleft") }
   LOW[3] = body({ x = 100, y = 384, width = 20, height = 16 })
-  row("(P8) that hang from above leave what grows below them where it is, crushed", RATES, LOW, {
+  row("(P8) that hang from above crush what grows below them, half of it in each", RATES, LOW, {
     { "listen body", 0.5 },
-    { "body.y, body.height = 368, 32", 1, "body at 100, 368", "heard.body.crushes == 1" },
+    { "body.y, body.height = 368, 32", 1, "body at 100, 372", "heard.body.crushes == 1" },
+  })
+
+  -- The same below a thin one, which is left over by the shortest way.
+  local THIN = { solid("flat", -200, 400, 600, 20), slope(0, 376, 100, 8, "topleft") }
+  THIN[3] = body({ x = 60, y = 384, height = 16 })
+  row("(P8) that hang from above and are thin hold a hero that stands up below them", RATES, THIN, {
+    { "listen body", 0.5 },
+    { "body.y, body.height = 368, 32", 1, "body.x == 60", "body.y > 368", "body.y < 376" },
+    { "heard.body.crushes == 1", "body.y, body.height = body.y + 16, 16", 1, "body at 60, 384" },
+  })
+
+  --    ______
+  --    |  .-'  down and up again
+  --    |-' [ ]
+  --   _______________
+  local PRESS = { solid("flat", -200, 400, 600, 20), slope(0, 210, 300, 100, "topleft") }
+  PRESS[2][2].static, PRESS[2][2].kinematic = nil, true
+  PRESS[3] = body({ x = 100, y = 380, width = 20, height = 20 })
+  row("that press down from above hold the object that they crush, at any depth", PUSH, PRESS, {
+    { "listen body", "slope.vy = 60", 2.5, "body at 100, 380, 1e-3" },
+    { "heard.body.crushes == 1", "slope.vy = -60", 2, "body at 100, 380, 1e-3", "slope.vy = 0" },
+    { 1, keep = "body.vx = 60", "body at 100 + 60 * t, 380" },
   })
 
   local HIGH = { solid("flat", -400, 400, 1200, 40), slope(0, 300, 100, 50, "topleft") }

@@ -100,5 +100,62 @@ describe("slope: a wedge", function()
       assert.is_truthy(hero.touching.right and hero.touching.bottom)
       assert.equal(0, hero.crushes)
     end)
+
+    --                \       |
+    --  ->[   ][ 1 ]   \      |     crate 1 fits exactly between the places at which the slope stops
+    --    [   ][   ][ 2 ]\    |     the hero and crate 2, but for 0.09 px
+    --  ___________________________
+    it(("stops a hero that pushes two crates into it: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      world:add("tiles", tile(0, 60, 300, 16))
+      slope(world, 100, 27, 57, 33, "topright")
+      local hero = count(world:add("heroes", { x = 20, y = 36, width = 12, height = 24 }))
+      local one = count(world:add("crates", { x = 40, y = 44, width = 13, height = 16 }))
+      local two = count(world:add("crates", { x = 60, y = 51, width = 13, height = 9 }))
+      steer(world, hero, 2, rate, { vx = 120 })
+      local right = 100 + 24 * 57 / 33
+      assertAt(right - 13, 51, two)
+      assertAt(right - 26, 44, one)
+      assertAt(right - 38, 36, hero)
+      assert.equal(0, hero.crushes + one.crushes + two.crushes)
+    end)
+
+    --  ______________________
+    --     [crate]
+    --    .-'  [hero] <-         the slope and the ceiling hold the crate, which holds the hero
+    --  -'   .-'
+    it(("stops a hero below a crate that it has pushed there: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      world:add("tiles", tile(-100, 60, 500, 16))
+      world:add("tiles", tile(-100, 18, 500, 8))
+      slope(world, 100, 11, 40, 49, "left")
+      local hero = count(world:add("heroes", { x = 165, y = 48, width = 10, height = 12 }))
+      local crate = count(world:add("crates", { x = 145, y = 51, width = 14, height = 9 }))
+      steer(world, hero, 2, rate, { vx = -60 })
+      assertAt(100 + 24 * 40 / 49, 26, crate)
+      assertAt(100 + 36 * 40 / 49, 35, hero)
+      assert.equal(0, hero.crushes + crate.crushes)
+      steer(world, hero, 1, rate, { vx = 60 })
+      assertAt(100 + 36 * 40 / 49 + 60, 48, hero)
+    end)
+
+    it(("stops what flies into it behind another one: %d Hz"):format(rate), function()
+      for height = 10, 16, 2 do
+        local world = physics.newWorld({ gravity = 0 })
+        world:add("tiles", tile(-100, 15, 500, 8))
+        world:add("tiles", tile(-100, 60, 500, 8))
+        slope(world, 100, 16, 83, 44, "left")
+        local speed, y = -18 * rate, 60 - height
+        local one = world:add("boxes", { x = 190, y = 45, width = 9, height = 15, vx = speed })
+        local two = { x = 199.2, y = y, width = 18, height = height, vx = speed }
+        world:add("boxes", two)
+        for _ = 1, rate do
+          world:update(1 / rate)
+          local isBeside = two.x - one.x - 9 >= -1e-6
+          assert.is_true(isBeside or two.y - one.y - 15 >= -1e-6, height)
+        end
+        assertAt(100 + 22 * 83 / 44, 23, one)
+      end
+    end)
   end
 end)
