@@ -42,7 +42,7 @@ local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Passes over the rows, and those after them in which the lower one does not give way.
-local PASSES, SHOCKS = 16, 6
+local PASSES, SHOCKS = tonumber(os.getenv('PASSES') or 16), tonumber(os.getenv('SHOCKS') or 6)
 -- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
@@ -89,19 +89,10 @@ function press.isNeeded(b)
   return false
 end
 
--- Marks both of two if one of them is marked, and both are dynamic.
-local function reach(b, i, j)
-  local s = b.slants
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if areDynamic and (s.mark[i] == s.stamp or s.mark[j] == s.stamp) then
-    s.mark[i], s.mark[j] = s.stamp, s.stamp
-  end
-end
-
 -- Marks the dynamic bodies of planes that are new or violated, and the bodies that touch these,
 -- directly or through others. All others are solved already, and do not depend on these.
 local function spread(b)
-  local s, kind, base = b.slants, b.kind, b.slants.base
+  local s, kind = b.slants, b.kind
   for c = 1, s.count do
     if needsPress(b, c) then
       local i, j = s.one[c], s.other[c]
@@ -110,17 +101,7 @@ local function spread(b)
         kind[i] == DYNAMIC and s.stamp or 0, kind[j] == DYNAMIC and s.stamp or 0
     end
   end
-  for pass = 0, 7 do
-    local list, isBack = b.contacts[pass % 2], pass % 4 > 1
-    for n = 1, s.count do
-      local c = base[isBack and s.count + 1 - n or n]
-      reach(b, s.one[c], s.other[c])
-    end
-    for n = 1, list.count do
-      local c = isBack and list.count + 1 - n or n
-      reach(b, (list.low[c] - list.axis) * 0.5, (list.high[c] - list.axis) * 0.5)
-    end
-  end
+  heap.spread(b, s.mark, s.stamp)
 end
 
 local function addRow(s, c)
@@ -140,7 +121,7 @@ local function addContact(b, list, n, c)
   end
   s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
-  s.push[c], s.impulse[c], s.slop[c] = 0.0, 0.0, EPSILON
+  s.push[c], s.impulse[c], s.start[c], s.slop[c] = 0.0, 0.0, 0.0, EPSILON
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
   addRow(s, c)
   return true
@@ -182,6 +163,13 @@ local function motionOf(b, i, nx, ny, ix, iy)
   return share * x * ix, share * y * iy
 end
 
+-- Adds to the places (or velocities) of the two of row c what a push of `more` does.
+local function pushApart(column, s, c, more)
+  local k, m = 2 * s.one[c], 2 * s.other[c]
+  column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]
+  column[m], column[m + 1] = column[m] - more * s.ex[c], column[m + 1] - more * s.ey[c]
+end
+
 -- Computes how the two bodies of each row give way. `isShock`: the lower body does not.
 local function weigh(b, isShock)
   local s, down, give = b.slants, b.down, b.give
@@ -201,6 +189,12 @@ local function weigh(b, isShock)
     local ex, ey = motionOf(b, j, nx, ny, jx, jy)
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
     s.total[c] = nx * (dx + ex) + ny * (dy + ey)
+    if s.start[c] ~= 0 then
+      s.push[c], s.impulse[c] = s.start[c] * b.dt, s.start[c]
+      pushApart(b.to, s, c, s.push[c])
+      pushApart(b.speed, s, c, s.impulse[c])
+      s.start[c] = 0.0
+    end
   end
 end
 
@@ -438,7 +432,7 @@ function press.finish(b)
     end
   end
   pairFinder.run(b, b.awakeList, b.awakeCount)
-  heap.spreadStamp(b, b.heapWork.inHeap)
+  heap.spread(b, b.heapWork.inHeap, b.solveStamp)
   return true
 end
 

@@ -239,7 +239,7 @@ local function solve(b, dt)
   notePressed(b, 0)
   notePressed(b, 1)
   noteParted(b)
-  if b.slants.count > 0 then
+  if b.hasRound then
     slant.tell(b)
   end
   return true
