@@ -42,7 +42,7 @@ local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Passes over the rows, and those after them in which the lower one does not give way.
-local PASSES, SHOCKS = tonumber(os.getenv('PASSES') or 16), tonumber(os.getenv('SHOCKS') or 6)
+local PASSES, SHOCKS = 16, 6
 -- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
