@@ -147,6 +147,8 @@ local function newOverlapCheck(world, scene)
     boxes[i] = {
       width = description.width,
       height = description.height,
+      radius = description.radius,
+      slope = description.slope,
       static = description.static,
       kinematic = description.kinematic,
       x = description.x,

@@ -11,7 +11,7 @@
 ---     hasMasses true: boxes have a `mass`, 1 where none is given, in every engine
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
 ---               friction, restitution, gravity, mass, pushable, maxSpeed, sensor, hits, radius,
----               area; the same fields as those of physics.lua
+---               slope, area; the same fields as those of physics.lua
 ---     soft      groups with objects that may overlap and drift apart, as in physics.lua; engines
 ---               that know nothing like it keep them solid
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
@@ -31,6 +31,7 @@ local scenes = {}
 local FILES = {
   "pile",
   "level",
+  "hills",
   "gas",
   "balls",
   "zones",

@@ -431,7 +431,7 @@ function default.setBounds(x, y, w, h) end
 --- rectangles. Parts that are not supported are listed in `unsupported` of the result. A `.world`
 --- file is several maps. JSON needs the option `decode`. See docs/maps.md.
 ---
---- Errors: the map does not exist, or a part is damaged; an option is unknown, or names a thing
+--- Errors: the map does not exist, or a part is damaged; an option is unknown, or names a layer
 --- that is not in the map; with `strict` a property cannot be used; a group is an object; it is
 --- called from inside `canCollide`. Nothing has been added then.
 ---@param map table|string the path of a map or a world, the table that an export or STI returns, or decoded JSON
@@ -461,7 +461,7 @@ function default.addTiles(group, cells, columns, size, options) end
 --- project, as a level of several maps. See docs/maps.md.
 ---
 --- Errors: the level does not exist, is in another file, or a part is damaged; an option is
---- unknown, or names a thing that is not in the level; with `strict` a field cannot be used; a
+--- unknown, or names a layer that is not in the level; with `strict` a field cannot be used; a
 --- group is an object; it is called from inside `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level

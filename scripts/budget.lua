@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/overlaps", 793 },
   { "physics/queries", 855 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3406 },
+  { "physics/solver", 3407 },
   { "physics/space", 499 },
   { "physics/state", 1020 },
   { "physics/world", 1426 },

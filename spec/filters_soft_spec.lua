@@ -3,9 +3,9 @@
 local crowds = require("spec.support.crowd")
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
+local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local small = require("spec.support.small")
-local watcher = require("spec.fuzz.watcher")
 
 local run = small.run
 
@@ -246,7 +246,7 @@ describe("soft: a crowd", function()
         local x, y = enemy.x - before[n][1], enemy.y - before[n][2]
         assert.is_true(math.max(math.abs(x), math.abs(y)) <= most)
         for _, pillar in ipairs(crowd.world.objects.pillars) do
-          assert.is_true(watcher.depth(enemy, pillar) <= 1e-6)
+          assert.is_true(overlap.depth(enemy, pillar) <= 1e-6)
         end
       end
     end
@@ -314,7 +314,7 @@ describe("soft: a crowd", function()
         steer(world.objects.enemies, player, 75)
         world:update(DT)
         for _, enemy in ipairs(world.objects.enemies) do
-          assert.is_true(watcher.depth(player, enemy) < 0.02)
+          assert.is_true(overlap.depth(player, enemy) < 0.02)
         end
       end
     end

@@ -14,6 +14,7 @@ local engine = {
     questions = "a game has to tell it what it has moved",
     state = "no snapshots",
     circles = "boxes only",
+    slopes = "boxes only",
     zones = "a game has to accelerate by itself",
   },
 }

@@ -10,6 +10,7 @@ local engine = {
     questions = "no questions",
     state = "no snapshots",
     circles = "boxes only",
+    slopes = "boxes only",
     zones = "a game has to accelerate by itself",
     crowds = "everything can be pushed",
     accelerations = "a game has to accelerate by itself",

@@ -43,13 +43,28 @@ local function kindOf(description)
   return description.static and "static" or isKinematic and "kinematic" or "dynamic"
 end
 
+-- The corners of a slope about the middle of its box, without the one that is cut off.
+local function cornersOf(slope, halfWidth, halfHeight)
+  local isLeft, isHanging = slope:find("left$") ~= nil, slope:find("^top") ~= nil
+  local high = isLeft and -halfWidth or halfWidth -- the side with two corners
+  local base = isHanging and -halfHeight or halfHeight
+  return high, base, -high, base, high, -base
+end
+
+local function newShape(description, halfWidth, halfHeight)
+  if description.radius then
+    return love.physics.newCircleShape(description.radius)
+  elseif description.slope then
+    return love.physics.newPolygonShape(cornersOf(description.slope, halfWidth, halfHeight))
+  end
+  return love.physics.newRectangleShape(description.width, description.height)
+end
+
 function World:add(description)
   local halfWidth, halfHeight = description.width / 2, description.height / 2
   local x, y = description.x + halfWidth, description.y + halfHeight
   local body = love.physics.newBody(self.world, x, y, kindOf(description))
-  local shape = description.radius and love.physics.newCircleShape(description.radius)
-    or love.physics.newRectangleShape(description.width, description.height)
-  local fixture = love.physics.newFixture(body, shape)
+  local fixture = love.physics.newFixture(body, newShape(description, halfWidth, halfHeight))
   fixture:setFriction(description.friction or 0)
   fixture:setRestitution(description.restitution or 0)
   if description.hits then -- what has no list of hits is in category 1

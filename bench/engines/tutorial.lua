@@ -12,6 +12,7 @@ local tutorial = {
     questions = "no questions",
     state = "no snapshots",
     circles = "boxes only",
+    slopes = "boxes only",
     zones = "a game has to accelerate by itself",
     crowds = "everything can be pushed",
     accelerations = "a game has to accelerate by itself",

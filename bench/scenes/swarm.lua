@@ -43,7 +43,7 @@ local function isFree(x, y)
   return not (isNear and math.abs(x) < half and math.abs(y) < half)
 end
 
-local function addEnemy(objects, random, x, y)
+local function addEnemy(objects, random, x, y, isRound)
   local size = random:between(14, 20)
   objects[#objects + 1] = {
     group = "enemies",
@@ -51,13 +51,14 @@ local function addEnemy(objects, random, x, y)
     y = y - size / 2,
     width = size,
     height = size,
+    radius = isRound and size / 2 or nil,
     mass = 1,
     speed = random:between(60, 90),
   }
 end
 
 -- Squares of cells around the player, from the inside outwards.
-local function addEnemies(objects, count)
+local function addEnemies(objects, count, isRound)
   local random, last = newRandom(21), #objects + count
   local ring = math.ceil(START / CELL)
   while #objects < last do
@@ -67,7 +68,7 @@ local function addEnemies(objects, count)
       local x = side == 0 and along or side == 1 and out or side == 2 and -along or -out
       local y = side == 0 and -out or side == 1 and along or side == 2 and out or -along
       if #objects < last and isFree(x, y) then
-        addEnemy(objects, random, x, y)
+        addEnemy(objects, random, x, y, isRound)
       end
     end
     ring = ring + 1
@@ -97,7 +98,7 @@ local function newObjects(count, options)
   }
   addPillars(objects)
   local first = #objects + 1
-  addEnemies(objects, count)
+  addEnemies(objects, count, options.isRound)
   if options.isPulled then
     for i = first, #objects do
       objects[i].maxSpeed = objects[i].speed
@@ -116,6 +117,13 @@ local function steer(world, i, goalX, goalY, speed, isPulled)
   else
     world:setVelocity(i, dx / distance * speed, dy / distance * speed)
   end
+end
+
+local function needsOf(options)
+  local needs = { "upright", "crowds" }
+  needs[#needs + 1] = options.isPulled and "accelerations" or nil
+  needs[#needs + 1] = options.isRound and "circles" or nil
+  return needs
 end
 
 local function build(count, options)
@@ -142,7 +150,7 @@ local function build(count, options)
     hasMasses = true,
     still = isStill and 1 or nil,
     soft = options.soft,
-    needs = { "upright", "crowds", options.isPulled and "accelerations" or nil },
+    needs = needsOf(options),
     warmUp = 120,
     steps = 600,
     frame = frame,
@@ -181,6 +189,7 @@ end
 return {
   definition("swarm", "n enemies press to a player that stands, by vx", STANDS),
   definition("swarm-ax", "the same by ax and maxSpeed", pulled(STANDS)),
+  definition("swarm-round", "n round enemies, by vx", { isPushable = false, isRound = true }),
   definition("swarm-heavy", "they push it, of mass 10, by vx", GIVES_WAY),
   definition("swarm-heavy-ax", "the same by ax and maxSpeed", pulled(GIVES_WAY)),
   definition("swarm-kite", "they follow one that walks, by vx", WALKS),

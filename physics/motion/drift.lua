@@ -2,7 +2,8 @@
 --- Soft crowds: computes how fast bodies of soft groups drift apart, and adds that to their paths.
 --
 -- Two bodies that overlap get a velocity apart along the line between their middles, in proportion
--- to the depth: `soft` px/s on the longer axis for two bodies at one place, shared by their masses.
+-- to the depth: `soft` px/s on the axis on which they are further apart, for two bodies at one
+-- place. The stronger one does not give way; two of equal strength share it by their masses.
 -- The velocities of all its pairs add up to the *drift* of a body, which is at most the largest
 -- `soft` of its group. The drift is added to the path of this step and taken off again after it, so
 -- that solid objects stop it as any other motion.
@@ -11,8 +12,9 @@
 --      <-       ->        sizes there, and f the larger d / h of both axes. Then the pair parts at
 --       | d  |            soft (1 / f - 1) d / h:  `soft` at one place, 0 when the two touch.
 --
--- The places x of a crowd follow x' = v(x), whose stiffness is the rate soft / size of a pair times
--- the number of pairs of a body. One step of v dt overshoots if that rate times dt is above 2: a
+-- The places x of a crowd follow x' = v(x), whose stiffness is the rate soft / size (the fastest
+-- `soft`, the mean size) times the number of pairs, near ones included, for each body that begins
+-- one. One step of v dt overshoots if that rate times dt is above 2: a
 -- dense crowd would explode. So a step is made in s parts, the stages of a Runge-Kutta-Legendre
 -- scheme, with z = rate * dt:
 --
@@ -20,8 +22,8 @@
 --
 -- It is stable up to z = s² + s, so s grows only with the root of the density:
 -- s = ceil(sqrt(z + 1/4) - 1/2), at most MOST_PARTS. (In `advance`, `keep` and `part` are the two
--- factors.) Beyond that, only the limit of the drift bounds it. A body that its drift nearly stops
--- is slowed further, so that a crowd comes to stand (see `listDrifted`).
+-- factors.) Beyond that, only the limit of the drift bounds it. A drift against the motion of its
+-- body slows that further, so that a crowd comes to stand (see `listDrifted`).
 --
 -- The pairs that overlap, or may in this step, are found once, in cells, sorted by counting: a body
 -- is compared with the bodies that begin after it in its row, and in the rows down to its lower
@@ -64,7 +66,7 @@ local WAYS_Y = { 0.5, 1.0, 1.0, 0.75, 0.25, -1.0, 1.0, -1.0 }
 local function newWork()
   return {
     count = 0, -- bodies of soft groups
-    slot = {}, -- of each, and what follows, in the order of the world
+    slot = {}, -- of each; all lists are in the order of the world
     at = { [0] = {}, {} }, -- by axis: of its middle, px
     half = { [0] = {}, {} }, -- by axis: half of its size, px
     row = {}, -- the row of its group in the setting, and the name of that
@@ -357,8 +359,9 @@ function drift.start(b, dt)
   end
 end
 
---- Takes the drift off the velocities again, after a step. A change of speed in the step changes
---- the body's own velocity by as much, but does not reverse it.
+--- Takes the drift off the velocities again, after a step. The body's own velocity becomes the
+--- middle one of three: its speed at the end of the step, its own velocity, and that with the
+--- change of speed in the step.
 function drift.takeOff(b)
   local work = b.drifts
   for n = 1, b.driftedCount do

@@ -10,12 +10,13 @@
 -- nothing else. So if the last step changed no bit of an island, nothing in it has any speed, and
 -- its surroundings stay as they are, the next step would change no bit either, nor would any step
 -- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
--- that do not move. Each body says of itself whether the step has changed it (`quiet`); `gather`
--- asks all. Everything that could end the fixed point wakes the whole island before it has an
--- effect:
+-- that do not move. `tellMotion` of objects/write.lua notes of each body whether the step has
+-- changed it, or the next step may do so (`quiet`); `gather` asks all. Everything that could end
+-- the fixed point wakes the whole island before it has an effect:
 --
--- - a field that the game wrote;
--- - a new or lost neighbour;
+-- - a field, mask or setting that the game wrote, a moved world, a restored state (objects/,
+-- state/);
+-- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/);
 -- - a moving kinematic object;
 -- - a path that comes near. (In the middle of a step: the step begins anew, see solver.)
 --

@@ -148,10 +148,11 @@ end
 -- Passes ------------------------------------------------------------------------------------------
 
 -- Returns by how much a push of 1 along a normal moves slot i, with its inverse masses ix, iy. A
--- body that is not pushable and that the game drives is held back along its own way only: it is
--- stopped, but not turned aside.
-local function motionOf(b, i, nx, ny, ix, iy)
-  if b.kind[i] ~= DYNAMIC or b.pushable[i] or not path.isDriven(b, i) then
+-- body that is not pushable and that the game drives slides along walls, and along another such
+-- body. A pushable body j, which something holds, only stops it on its way and does not turn it.
+local function motionOf(b, i, j, nx, ny, ix, iy)
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if not areDynamic or b.pushable[i] or not b.pushable[j] or not path.isDriven(b, i) then
     return nx * ix, ny * iy
   end
   local x, y = b.freeSpeed[2 * i], b.freeSpeed[2 * i + 1]
@@ -182,8 +183,8 @@ local function weigh(b, isShock)
     elseif isShock and areLoose and share > ABOVE then
       ix, iy = 0.0, 0.0
     end
-    local dx, dy = motionOf(b, i, nx, ny, ix, iy)
-    local ex, ey = motionOf(b, j, nx, ny, jx, jy)
+    local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
+    local ex, ey = motionOf(b, j, i, nx, ny, jx, jy)
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
     s.total[c] = nx * (dx + ex) + ny * (dy + ey)
     if s.start[c] ~= 0 then

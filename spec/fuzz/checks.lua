@@ -11,6 +11,7 @@ if jit then
 end
 
 local bounds = require("spec.fuzz.bounds")
+local overlap = require("spec.support.overlap")
 
 local checks = {}
 
@@ -33,50 +34,6 @@ local FAR = 1e15 -- beyond this, px or px/s, something has gone wild; the games 
 local max, min = math.max, math.min
 
 -- Geometry ---------------------------------------------------------------------------------------
-
--- px by which two overlap on x and on y, negative: apart.
-local function overlaps(a, b)
-  return min(a.x + a.width, b.x + b.width) - max(a.x, b.x),
-    min(a.y + a.height, b.y + b.height) - max(a.y, b.y)
-end
-
--- px from the corner of a box to the edge of a slope on y, or if that is less, on x.
-local function edgeGap(box, slope)
-  local isRight = slope.slope == "right" or slope.slope == "topright"
-  local isTop = slope.slope == "topleft" or slope.slope == "topright"
-  local x = isRight and slope.x + slope.width - box.x - box.width or box.x - slope.x
-  local y = isTop and box.y - slope.y or slope.y + slope.height - box.y - box.height
-  -- From the corner between the legs: the edge is where x / width + y / height is 1.
-  local gap = x / slope.width + y / slope.height - 1
-  return gap * min(slope.width, slope.height)
-end
-
--- px by which two overlap, one of which is a circle, negative: apart.
-local function roundDepth(a, b)
-  if not a.radius then
-    a, b = b, a
-  end
-  local x, y, reach = a.x + a.radius, a.y + a.radius, a.radius + (b.radius or 0)
-  local left, top, right, bottom = b.x, b.y, b.x + b.width, b.y + b.height
-  if b.radius then
-    left, top = left + b.radius, top + b.radius
-    right, bottom = left, top
-  end
-  local dx, dy = x - max(left, min(x, right)), y - max(top, min(y, bottom))
-  return reach - math.sqrt(dx * dx + dy * dy)
-end
-
-local function depth(a, b)
-  local x, y = overlaps(a, b)
-  if a.slope and not b.slope then
-    return min(x, y, -edgeGap(b, a))
-  elseif b.slope and not a.slope then
-    return min(x, y, -edgeGap(a, b))
-  elseif a.radius or b.radius then
-    return min(x, y, roundDepth(a, b))
-  end
-  return min(x, y)
-end
 
 -- px by which two may overlap in a knot; `usual`: of two boxes.
 local function most(a, b, share, usual)
@@ -215,7 +172,7 @@ function Watch:noteDepths()
       local row = {}
       self.depths[a] = row
       for object in pairs(self.statics) do
-        row[object] = max(0, depth(a, object))
+        row[object] = max(0, overlap.depth(a, object))
       end
     end
   end
@@ -228,7 +185,7 @@ function Watch:checkDepths()
     local row, id = self.depths[a], self.player.idOf[a]
     if row and isDynamic(a) and self:isSettled(a) and not self.crushed[id] then
       for object, before in pairs(row) do
-        local now = depth(a, object)
+        local now = overlap.depth(a, object)
         if
           now > before + most(a, object, checks.ROUND_KNOT, slack(a, object))
           and self:isSettled(object)
@@ -250,7 +207,7 @@ function Watch:eachOverlap(visit)
     for m = n + 1, #self.all do
       local b = self.all[m]
       if isDynamic(a) or isDynamic(b) then
-        local deep = depth(a, b)
+        local deep = overlap.depth(a, b)
         if deep > slack(a, b) and self:isBarred(a, b) then
           visit(nameOf(self, a) .. " and " .. nameOf(self, b), a, b, deep)
         end
@@ -297,7 +254,7 @@ function Watch:updateCrushed()
     local k = 2 * (bodies.slotOf[a] or 0)
     local isFree = not (bodies.wasCrushed[k] or bodies.wasCrushed[k + 1])
     for _, b in ipairs(self.all) do
-      if a ~= b and depth(a, b) > slack(a, b) and self:isBarred(a, b) then
+      if a ~= b and overlap.depth(a, b) > slack(a, b) and self:isBarred(a, b) then
         isFree = false
         break
       end
@@ -337,7 +294,8 @@ function Watch:judgeNeighbour(a, side, b)
   if b.slope and self.player.world:touching(a, b) ~= side then
     return -- it has stopped the object below a ceiling, beside which it is the ground, too
   end
-  local x, y = overlaps(a, b)
+  local x = min(a.x + a.width, b.x + b.width) - max(a.x, b.x)
+  local y = min(a.y + a.height, b.y + b.height) - max(a.y, b.y)
   local limit = (a.radius or b.radius) and IN_HEAP or slack(a, b)
   if x < -limit or y < -limit then
     return ("is %.9g px away on x, %.9g px on y"):format(-x, -y)
@@ -455,7 +413,7 @@ function Watch:checkUntold()
     for m = n + 1, #self.all do
       local b = self.all[m]
       local key = keyOf(self, a, b)
-      if key and not self.open[key] and depth(a, b) >= -checks.TOLERANCE then
+      if key and not self.open[key] and overlap.depth(a, b) >= -checks.TOLERANCE then
         if self:isSettled(a) and self:isSettled(b) and world:touching(a, b) then
           return "pairing", ("contact %s was never told"):format(key)
         end

@@ -2,6 +2,7 @@
 --- that a player would notice nothing in so many frames (watcher.lua, and `check` of each kind).
 
 local newRandom = require("spec.support.random").new
+local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local watcher = require("spec.fuzz.watcher")
 
@@ -184,7 +185,7 @@ function kinds.survivors(random)
     local pillar =
       { x = random:integer(20, 420), y = random:integer(20, 300), width = size, height = size }
     pillar.radius = random:chance(0.5) and size / 2 or nil
-    if watcher.depth(player, pillar) <= -8 then
+    if overlap.depth(player, pillar) <= -8 then
       addSolid(game, "pillars", pillar)
     end
   end
@@ -192,9 +193,9 @@ function kinds.survivors(random)
   for n = 1, random:integer(40, 120) do
     local enemy = { x = (n * 41) % 440 + 10, y = (n * 67) % 320 + 10, width = size, height = size }
     enemy.radius = random:chance(0.3) and size / 2 or nil
-    local isFree = watcher.depth(enemy, player) < -4
+    local isFree = overlap.depth(enemy, player) < -4
     for _, solid in ipairs(game.solids) do
-      isFree = isFree and watcher.depth(enemy, solid) < -1
+      isFree = isFree and overlap.depth(enemy, solid) < -1
     end
     if isFree then
       addMover(game, "enemies", enemy)
@@ -220,7 +221,7 @@ function kinds.survivors(random)
   end
   function game.check()
     for n = 2, #game.movers do
-      local depth = watcher.depth(game.movers[n], player)
+      local depth = overlap.depth(game.movers[n], player)
       if depth > PRESSED then
         return "inside the player", ("%d by %g px"):format(n, depth)
       end
@@ -288,7 +289,7 @@ function kinds.breakout(random)
       return "slower", ("%g of %g"):format(speed, game.speed)
     end
     for n, brick in ipairs(bricks) do
-      if watcher.depth(ball, brick) > 0.02 then
+      if overlap.depth(ball, brick) > 0.02 then
         return "inside", "the ball is in brick " .. n
       end
     end
@@ -324,8 +325,8 @@ function kinds.marbles(random)
   function game.check(frame)
     for n, one in ipairs(game.movers) do
       for m = n + 1, frame < 60 and 0 or #game.movers do
-        if m ~= n and watcher.depth(one, game.movers[m]) > 1 then
-          return "overlap", ("%d and %d by %g px"):format(n, m, watcher.depth(one, game.movers[m]))
+        if m ~= n and overlap.depth(one, game.movers[m]) > 1 then
+          return "overlap", ("%d and %d by %g px"):format(n, m, overlap.depth(one, game.movers[m]))
         end
       end
     end
@@ -411,7 +412,7 @@ function kinds.factory(random)
       local crate =
         { x = random:integer(70, 200), y = 4, width = size, height = size, friction = 0.7 }
       for _, other in ipairs(game.movers) do
-        if watcher.depth(crate, other) > -2 then
+        if overlap.depth(crate, other) > -2 then
           return
         end
       end
@@ -496,7 +497,7 @@ function kinds.arena(random)
     local x, y = 100 * (n % 4) + random:integer(20, 70), 120 * (n % 3) + random:integer(10, 60)
     local pillar = { x = x, y = y, width = size, height = size }
     pillar.radius = n % 2 == 0 and random:chance(0.6) and size / 2 or nil
-    if watcher.depth(player, pillar) < -30 then
+    if overlap.depth(player, pillar) < -30 then
       addSolid(game, "pillars", pillar)
     end
   end
@@ -511,7 +512,7 @@ function kinds.arena(random)
     local isFree = true
     for _, list in ipairs({ game.solids, game.movers }) do
       for _, other in ipairs(list) do
-        isFree = isFree and watcher.depth(enemy, other) < -1
+        isFree = isFree and overlap.depth(enemy, other) < -1
       end
     end
     if isFree then
@@ -545,7 +546,7 @@ function kinds.arena(random)
     end
     for n, one in ipairs(game.movers) do
       for m = n + 1, #game.movers do
-        local depth = watcher.depth(one, game.movers[m])
+        local depth = overlap.depth(one, game.movers[m])
         if depth > (kind == "plain" and OVERLAP or PRESSED) then
           return "overlap", ("%d and %d by %g px"):format(n, m, depth)
         end
@@ -574,7 +575,7 @@ local function isStuck(game, watched)
     return false
   end
   for _, machine in ipairs(game.machines) do
-    if watcher.depth(hero, machine) > -2 then
+    if overlap.depth(hero, machine) > -2 then
       return false
     end
   end

@@ -1,84 +1,17 @@
 --- What a player would notice in any game: something inside a wall, lost, or further on than its
 --- speed takes it; a crush with no machine near; a stop that nothing explains; contacts that begin
---- twice or end without a beginning. It looks at the game's own tables only, with its own geometry,
---- so it proves nothing by what it should prove.
+--- twice or end without a beginning. It looks at the game's own tables only, with the geometry of
+--- spec/support/overlap.lua, so it proves nothing by what it should prove.
+
+local overlap = require("spec.support.overlap")
 
 local watcher = {}
 
-local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
+local abs, max, min = math.abs, math.max, math.min
 
 local SEEN = 0.02 -- px that a player may see
 local NEAR = 16 -- px from what is crushed to a machine that may do it
 local FAST, STILL = 20, 1e-9 -- px/s: a stop from more to less is seen
-
--- Px by which a circle overlaps a box.
-local function roundDepth(circle, box)
-  local r = circle.radius
-  local x, y = circle.x + r, circle.y + r
-  local nearX, nearY = max(box.x, min(x, box.x + box.width)), max(box.y, min(y, box.y + box.height))
-  local dx, dy = x - nearX, y - nearY
-  if dx == 0 and dy == 0 then
-    return r + min(x - box.x, box.x + box.width - x, y - box.y, box.y + box.height - y)
-  end
-  return r - sqrt(dx * dx + dy * dy)
-end
-
--- Px by which two circles overlap.
-local function ballsDepth(a, b)
-  local dx, dy = a.x + a.radius - b.x - b.radius, a.y + a.radius - b.y - b.radius
-  return a.radius + b.radius - sqrt(dx * dx + dy * dy)
-end
-
--- Px between a point and a line from (ax, ay) to (bx, by).
-local function lineDistance(x, y, ax, ay, bx, by)
-  local dx, dy = bx - ax, by - ay
-  local share = max(0, min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)))
-  local nearX, nearY = x - ax - share * dx, y - ay - share * dy
-  return sqrt(nearX * nearX + nearY * nearY)
-end
-
--- Px by which something overlaps a slope, at most by which the boxes do.
-local function slopeDepth(object, slope)
-  local left, right = slope.x, slope.x + slope.width
-  local isRight = slope.slope == "right" or slope.slope == "topright"
-  local leftY, rightY = slope.y, slope.y + slope.height
-  local top = object.y
-  if slope.slope == "topleft" or slope.slope == "topright" then -- seen in a mirror
-    top = leftY + rightY - object.y - object.height
-  end
-  if isRight then
-    leftY, rightY = rightY, leftY
-  end
-  local function lineAt(x)
-    return leftY + (rightY - leftY) * (x - left) / slope.width
-  end
-  if object.radius then
-    local x, y = object.x + object.radius, top + object.radius
-    local isBelow = x > left and x < right and y > lineAt(x)
-    local far = lineDistance(x, y, left, leftY, right, rightY)
-    return object.radius + (isBelow and far or -far)
-  end
-  local corner = isRight and min(object.x + object.width, right) or max(object.x, left)
-  return top + object.height - lineAt(corner)
-end
-
---- Px by which two objects overlap; <= 0: they do not.
-function watcher.depth(a, b)
-  local depth =
-    min(a.x + a.width - b.x, b.x + b.width - a.x, a.y + a.height - b.y, b.y + b.height - a.y)
-  if depth <= 0 then
-    return depth
-  elseif b.slope then
-    return min(depth, slopeDepth(a, b))
-  elseif a.radius and b.radius then
-    return ballsDepth(a, b)
-  elseif a.radius then
-    return min(depth, roundDepth(a, b))
-  elseif b.radius then
-    return min(depth, roundDepth(b, a))
-  end
-  return depth
-end
 
 --- Begins to watch a world; returns what `watcher.check` takes.
 ---@param world physics.World
@@ -104,7 +37,7 @@ function watcher.new(world, room, machines)
   end
   function world.onCrush(object, a, b)
     for _, machine in ipairs(self.machines) do
-      self.held[object] = self.held[object] or watcher.depth(object, machine) > -NEAR
+      self.held[object] = self.held[object] or overlap.depth(object, machine) > -NEAR
     end
     if not self.held[object] then
       local text = "a crush at %g, %g by %s and %s"
@@ -162,7 +95,7 @@ end
 local function isIn(object, ...)
   for _, list in ipairs({ ... }) do
     for _, other in ipairs(list) do
-      if other ~= object and watcher.depth(object, other) > -SEEN then
+      if other ~= object and overlap.depth(object, other) > -SEEN then
         return true
       end
     end
@@ -187,7 +120,7 @@ function watcher.check(self, movers, solids, dt, carried)
       return "lost", ("%d is at %g, %g"):format(n, object.x, object.y)
     end
     for m, solid in ipairs(solids) do
-      local depth = watcher.depth(object, solid)
+      local depth = overlap.depth(object, solid)
       if depth > SEEN and not isHeld then
         return "inside", ("%d is %g px in solid %d"):format(n, depth, m)
       end

@@ -7,6 +7,7 @@ local checks = require("spec.fuzz.checks")
 local crowded = require("spec.fuzz.crowded")
 local effort = require("spec.support.effort")
 local games = require("spec.fuzz.games")
+local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local player = require("spec.fuzz.player")
 local shrink = require("spec.fuzz.shrink")
@@ -302,7 +303,7 @@ describe("a watcher of games", function()
     },
   }) do
     it("knows " .. row[1], function()
-      assert.near(row[4], watcher.depth(row[2], row[3]), 1e-9)
+      assert.near(row[4], overlap.depth(row[2], row[3]), 1e-9)
     end)
   end
 

@@ -9,11 +9,11 @@ local crowds = require("spec.support.crowd")
 local effort = require("spec.support.effort")
 local fold = require("spec.support.fold")
 local motion = require("spec.support.motion")
+local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
 local small = require("spec.support.small")
-local watcher = require("spec.fuzz.watcher")
 
 local long = effort.isFirst and it or pending
 
@@ -283,7 +283,7 @@ local function press(crowd, middle)
     crowd:step(1 / 60)
     between = math.max(between, (depths()))
     for _, enemy in ipairs(crowd.enemies) do
-      inMiddle = math.max(inMiddle, watcher.depth(enemy, middle))
+      inMiddle = math.max(inMiddle, overlap.depth(enemy, middle))
     end
   end
   return between, inMiddle

@@ -2,11 +2,77 @@
 
 local overlap = {}
 
---- Depth of the overlap of two boxes, px; negative: they are apart.
+local max, min, sqrt = math.max, math.min, math.sqrt
+
+-- Px by which a circle overlaps a box.
+local function roundDepth(circle, box)
+  local r = circle.radius
+  local x, y = circle.x + r, circle.y + r
+  local nearX, nearY = max(box.x, min(x, box.x + box.width)), max(box.y, min(y, box.y + box.height))
+  local dx, dy = x - nearX, y - nearY
+  if dx == 0 and dy == 0 then
+    return r + min(x - box.x, box.x + box.width - x, y - box.y, box.y + box.height - y)
+  end
+  return r - sqrt(dx * dx + dy * dy)
+end
+
+-- Px by which two circles overlap.
+local function ballsDepth(a, b)
+  local dx, dy = a.x + a.radius - b.x - b.radius, a.y + a.radius - b.y - b.radius
+  return a.radius + b.radius - sqrt(dx * dx + dy * dy)
+end
+
+-- Px between a point and a line from (ax, ay) to (bx, by).
+local function lineDistance(x, y, ax, ay, bx, by)
+  local dx, dy = bx - ax, by - ay
+  local share = max(0, min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)))
+  local nearX, nearY = x - ax - share * dx, y - ay - share * dy
+  return sqrt(nearX * nearX + nearY * nearY)
+end
+
+-- Px by which something overlaps a slope; a box by its way out along an axis.
+local function slopeDepth(object, slope)
+  local left, right = slope.x, slope.x + slope.width
+  local isRight = slope.slope == "right" or slope.slope == "topright"
+  local leftY, rightY = slope.y, slope.y + slope.height
+  local top = object.y
+  if slope.slope == "topleft" or slope.slope == "topright" then -- seen in a mirror
+    top = leftY + rightY - object.y - object.height
+  end
+  if isRight then
+    leftY, rightY = rightY, leftY
+  end
+  local function lineAt(x)
+    return leftY + (rightY - leftY) * (x - left) / slope.width
+  end
+  if object.radius then
+    local x, y = object.x + object.radius, top + object.radius
+    local isBelow = x > left and x < right and y > lineAt(x)
+    local far = lineDistance(x, y, left, leftY, right, rightY)
+    return object.radius + (isBelow and far or -far)
+  end
+  local corner = isRight and min(object.x + object.width, right) or max(object.x, left)
+  return (top + object.height - lineAt(corner)) * min(1, slope.width / slope.height)
+end
+
+--- Depth of the overlap of two boxes or circles, or one of them and a slope, px; negative: they
+--- are apart.
 function overlap.depth(a, b)
-  local x = math.min(a.x + a.width, b.x + b.width) - math.max(a.x, b.x)
-  local y = math.min(a.y + a.height, b.y + b.height) - math.max(a.y, b.y)
-  return math.min(x, y)
+  local x = min(a.x + a.width, b.x + b.width) - max(a.x, b.x)
+  local y = min(a.y + a.height, b.y + b.height) - max(a.y, b.y)
+  local depth = min(x, y)
+  if depth <= 0 then
+    return depth
+  elseif a.slope or b.slope then
+    return min(depth, a.slope and slopeDepth(b, a) or slopeDepth(a, b))
+  elseif a.radius and b.radius then
+    return ballsDepth(a, b)
+  elseif a.radius then
+    return min(depth, roundDepth(a, b))
+  elseif b.radius then
+    return min(depth, roundDepth(b, a))
+  end
+  return depth
 end
 
 local function isSolid(object)
