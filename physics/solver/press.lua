@@ -402,9 +402,9 @@ end
 
 -- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
 local function rest(b, i)
-  local k, m, to, speed, carried = 2 * i, 2 * i + 1, b.to, b.speed, b.carried
-  local x, y = to[k] - path.home(b, k), to[m] - path.home(b, m)
-  local u, v = (speed[k] - carried[k]) * b.dt, (speed[m] - carried[m]) * b.dt
+  local k, m, speed = 2 * i, 2 * i + 1, b.speed
+  local x, y = path.motion(b, k), path.motion(b, m)
+  local u, v = (speed[k] - path.rest(b, k)) * b.dt, (speed[m] - path.rest(b, m)) * b.dt
   if b.kind[i] == DYNAMIC and max(x, -x, y, -y, u, -u, v, -v) <= EPSILON then
     path.putBack(b, i)
   end
