@@ -295,8 +295,8 @@ local function isStill(b, i)
   return to[k] == position[k] and to[k + 1] == position[k + 1]
 end
 
--- Remembers with which impulses the pairs press each other: the next step begins with these. (A pair
--- that lies still keeps its own, so that an island at rest does not change.)
+-- Remembers with which impulses the pairs press each other: the next step begins with these. (A
+-- pair that lies still keeps its own, so that an island at rest does not change.)
 local function remember(b)
   local s, last, live, touches = b.slants, b.lastImpulse, b.live, b.touches
   for n = 1, b.liveCount do
