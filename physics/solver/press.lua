@@ -418,7 +418,6 @@ end
 --- whether there are planes.
 function press.finish(b)
   local s = b.slants
-  slant.findLate(b)
   if s.count == 0 then
     return false
   elseif press.isNeeded(b) then

@@ -13,9 +13,8 @@
 -- Both shapes are convex. So two that stay on their sides of the plane cannot overlap, at any speed
 -- and wherever else they go. Pairs that bounce get no plane: they have impacts.
 --
--- Planes are found in four ways: of pairs that touch when the step begins (`takes`), that will meet
--- on their paths (`find`), that meet in a round and do not bounce (`meet`), and that are in each
--- other at the end (`findLate`).
+-- Planes are found in three ways: of pairs that touch when the step begins (`takes`), that will meet
+-- on their paths (`find`), and that meet in a round and do not bounce (`meet`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
@@ -32,7 +31,7 @@ local yielding = require(root .. ".narrowphase.yielding")
 
 local slant = {}
 
-local APART, CONTACT, SLANTED = contacts.APART, contacts.CONTACT, contacts.SLANTED
+local APART, SLANTED = contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local huge, max, min = math.huge, math.max, math.min
 -- Share of the smaller size: the depth from which two leave each other as boxes do.
@@ -268,25 +267,6 @@ function slant.meet(b, p, t)
   end
   put(b, b.slants.count + 1, p, i, j, nx, ny, x * nx + y * ny - min(gap, 0.0), t, 0.0)
   return true
-end
-
---- Makes planes of the pairs that impacts have left in each other at the end of the step.
-function slant.findLate(b)
-  pairFinder.run(b, b.awakeList, b.awakeCount)
-  contacts.noteNew(b)
-  local touches, pairA, pairB, to = b.touches, b.pairA, b.pairB, b.to
-  for n = 1, b.liveCount do
-    local p = b.live[n]
-    local mayBeIn = touches[p] < CONTACT and boxes.gap(b, to, pairA[p], pairB[p]) < -EPSILON
-    local i, j = slotsOf(b, p)
-    if mayBeIn and mayPress(b, i, j) and heap.mayPush(b, p, i, j) then
-      local gap, nx, ny = ball.gapIn(b, b.to, i, j)
-      local isNew = gap < -EPSILON and ball.gapIn(b, b.origin, i, j) >= -EPSILON
-      if isNew and not passes(b, p, i, j, nx, ny, false) then
-        put(b, b.slants.count + 1, p, i, j, nx, ny, along(b.to, i, j, nx, ny) - gap, 1.0, 0.0)
-      end
-    end
-  end
 end
 
 -- Returns whether slot i ends where it began.
