@@ -6,21 +6,21 @@
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 632 },
+  { "physics/broadphase", 625 },
   { "physics/contacts", 373 },
   { "physics/fields", 658 },
   { "physics/maps", 2637 },
   { "physics/memory", 890 },
   { "physics/motion", 1053 },
   { "physics/narrowphase", 566 },
-  { "physics/objects", 1257 },
+  { "physics/objects", 1308 },
   { "physics/overlaps", 831 },
-  { "physics/queries", 855 },
+  { "physics/queries", 846 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3416 },
+  { "physics/solver", 3400 },
   { "physics/space", 499 },
   { "physics/state", 1027 },
-  { "physics/world", 1426 },
+  { "physics/world", 1429 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -49,11 +49,9 @@ end
 --- (see drift). Static objects and sensors are soft to nothing.
 function filter.isSoft(b, i, j)
   local row = b.soft and b.soft[b.groupName[i]]
-  return row
-    and row[b.groupName[j]] ~= nil
-    and b.kind[i] ~= STATIC
-    and b.kind[j] ~= STATIC
-    and not (b.sensor[i] or b.sensor[j])
+  local isNamed = row and row[b.groupName[j]] ~= nil
+  local canDrift = isNamed and b.kind[i] ~= STATIC and b.kind[j] ~= STATIC
+  return canDrift and not (b.sensor[i] or b.sensor[j])
 end
 
 --- Returns why two objects cannot meet (a word for `explain`), or nil if they can.
@@ -79,11 +77,8 @@ end
 --- Returns whether an object that is not dynamic, or any object (`isAny`), can be in the way of
 --- another object: it is solid for that on every side.
 function filter.blocks(b, i, j, isAny)
-  return (isAny or b.kind[j] ~= DYNAMIC)
-    and not b.sensor[i]
-    and not b.sensor[j]
-    and not b.oneWay[j]
-    and not filter.reason(b, i, j)
+  local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[j])
+  return isSolid and (isAny or b.kind[j] ~= DYNAMIC) and not filter.reason(b, i, j)
 end
 
 return filter

@@ -1,6 +1,6 @@
 ---@diagnostic disable
---- Compares the game's groups with what was seen of them last: in which places they differ, and
---- which keys they have.
+--- Compares the game's groups with their last records: in which places they differ, and which keys
+--- they have.
 --
 -- As long as nothing has changed, that is one comparison an object. Nothing follows the order of
 -- `pairs`: groups come in the order of `order`, then by name; objects by key; numbers before
@@ -17,7 +17,8 @@ local groups = {}
 
 local huge, max, min = math.huge, math.max, math.min
 
-local FEW = 64 -- groups up to this size are counted each time
+-- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
+local FEW = 64
 
 -- Returns a record of a group of which nothing is known yet.
 local function newRecord(name, source)
@@ -26,17 +27,20 @@ local function newRecord(name, source)
     source = source, -- the game's table
     direct = false, -- that is an object itself
     index = 0, -- place among the groups
+    rankBehind = huge, -- the lowest rank in the groups that follow
     list = {}, -- the objects that were in it,
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
-    -- `newKeys` and `newCount`: what it holds now (see compareAll).
-    changed = {}, -- the places that hold another object now, in order,
+    -- `newKeys` and `newCount`: its present keys and objects (see compareAll).
+    gaps = {}, -- the places whose object has gone, so that those behind it have moved up, in order,
+    gapCount = 0,
+    changed = {}, -- the other places that hold another object now, when these gaps are closed,
     changedCount = 0,
     found = {}, -- the slots of those objects,
     foundCount = 0,
-    looked = {}, -- by place: a look has taken it over since the last update (see registry)
-    firstLooked = huge, -- the first one
+    looked = {}, -- by object: a look has taken it over since the last update (see registry)
+    firstLooked = huge, -- the first place of one
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     isPlain = true, -- none of its objects has a metatable
@@ -94,10 +98,11 @@ local function hasOthers(record, count)
   return n ~= count
 end
 
---- Returns the place from which on a group differs from what was read last; nil: it does not. (The
---- comparison is raw, since a game's objects may be "equal" by a metamethod. What a group inherits
---- is none of its objects, so it differs, too; and to index costs half of `rawget`.)
-function groups.firstChange(record)
+--- Returns the first place in which a group differs from its record, nil: in none. The comparison
+--- is raw, since a game's objects may be "equal" by a metamethod. A group owns no object that it
+--- inherits, so it differs, too; and to index costs half of `rawget`. `isShort`: in a group that
+--- has numbers only, other keys are not looked for, since that counts all its objects.
+function groups.firstChange(record, isShort)
   if record.direct then
     return nil
   end
@@ -115,6 +120,9 @@ function groups.firstChange(record)
       return n
     end
   end
+  if isShort and not keys then
+    return rawget(source, count + 1) ~= nil and count + 1 or nil
+  end
   return hasOthers(record, count) and count + 1 or nil
 end
 
@@ -124,41 +132,70 @@ function groups.memberAt(record, n)
   return record.direct and record.source or rawget(record.source, key), key
 end
 
--- What has changed --------------------------------------------------------------------------------
+-- Changes -----------------------------------------------------------------------------------------
 
--- Finds under which keys a group holds objects now, if it has changed from place `n` on.
-local function readKeys(record, n)
+-- Returns the place in the list of the object at place n of a group, which was expected at `at`,
+-- and lists the gaps before it. If that is not near, or another object follows there, returns `at`.
+local function passGaps(b, record, n, at, object)
+  local slot, gaps = b.slotOf[object], record.gaps
+  local behind = slot and b.group[slot] == record and b.seat[slot] or 0
+  local isNear = behind > at and behind <= at + FEW
+  if not (isNear and rawequal(record.list[behind + 1], rawget(record.source, n + 1))) then
+    return at
+  end
+  for gap = at, behind - 1 do
+    gaps[gap - n + 1] = gap
+  end
+  return behind
+end
+
+-- Lists the gaps, and the places that hold another object than before; for an update, also those
+-- that a look has taken over. Finds how many objects a group holds under the numbers from 1 on.
+local function listChanges(b, record, first, isLook)
+  local source, list, changed = record.source, record.list, record.changed
+  local looked = not isLook and record.firstLooked < huge and record.looked
+  local n, at, count, object = first, first, 0, rawget(source, first)
+  while object ~= nil do
+    if looked or not rawequal(object, list[at]) then
+      at = passGaps(b, record, n, at, object)
+      if looked and looked[object] or not rawequal(object, list[at]) then
+        count = count + 1
+        changed[count] = n
+      end
+    end
+    n, at = n + 1, at + 1
+    object = rawget(source, n)
+  end
+  record.gapCount, record.foundCount, record.newCount = at - n, count, n - 1
+  for place = n, record.count - record.gapCount do
+    count = count + 1
+    changed[count] = place
+  end
+  record.changedCount = count
+end
+
+-- Finds the changes in a group from place `first` on. All places have changed if there are other
+-- keys, or the group itself has another place.
+local function readChanges(b, record, first, isAll, isLook)
   local source = record.source
   if record.count == 0 then
     record.direct = check.isObject(source) -- it may have been filled since it was first seen
   end
   record.newKeys, record.newCount = false, 1
   if not record.direct then
-    while rawget(source, n) ~= nil do
-      n = n + 1
-    end
-    record.newCount = n - 1
-    if hasOthers(record, n - 1) then
+    listChanges(b, record, first, isLook)
+    if hasOthers(record, record.newCount) then
       record.newKeys = sortedKeys(source, check.place(record.name))
       record.newCount = #record.newKeys
     end
   end
-end
-
--- Lists the places that hold another object than before; all if what was there has another place or
--- key now. For an update, also those that a look has taken over.
-local function listChanges(record, isAll, first, isLook)
-  local source, list, changed, count = record.source, record.list, record.changed, 0
-  local looked = record.looked
-  record.foundCount = 0
-  isAll = isAll or record.keys or record.newKeys or record.direct
-  for n = isAll and 1 or first, max(record.count, record.newCount) do
-    if isAll or not rawequal(source[n], list[n]) or looked[n] and not isLook then
-      count = count + 1
-      changed[count], record.foundCount = n, n <= record.newCount and count or record.foundCount
+  if isAll or record.keys or record.newKeys or record.direct then
+    record.gapCount, record.foundCount = 0, record.newCount
+    record.changedCount = max(record.count, record.newCount)
+    for n = 1, record.changedCount do
+      record.changed[n] = n
     end
   end
-  record.changedCount = count
 end
 
 --- Returns whether there are other groups than those that were seen last, or in another order.
@@ -171,7 +208,7 @@ function groups.haveChanged(self, objects)
     end
     n = n + 1
   end
-  return isOther or n ~= self.groupCount
+  return isOther or n ~= #self.groups
 end
 
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.
@@ -194,18 +231,20 @@ function groups.read(self, objects)
   return records, byName
 end
 
---- Compares the groups with what was read last. Returns whether anything has changed. (A group with
+--- Compares the groups with their records. Returns whether anything has changed. (A group with
 --- another place gets other ranks, so all of it is read.)
-function groups.compareAll(records, isLook)
+function groups.compareAll(b, records, isLook)
   local isAny = false
   for index, record in ipairs(records) do
     local isOther = record.index ~= index
     local change = isOther and 1 or groups.firstChange(record) or huge ---@type number
-    change = isLook and change or min(change, record.firstLooked)
-    record.changedCount, record.newKeys, record.newCount = 0, record.keys, record.count
+    local first = min(change, record.firstLooked)
+    record.firstLooked = isLook and first or record.firstLooked
+    change = isLook and change or first
+    record.changedCount, record.foundCount, record.gapCount = 0, 0, 0
+    record.newKeys, record.newCount = record.keys, record.count
     if change < huge then
-      readKeys(record, record.keys and 1 or change)
-      listChanges(record, isOther, change, isLook)
+      readChanges(b, record, record.keys and 1 or change, isOther, isLook)
       isAny = true
     end
   end

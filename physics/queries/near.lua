@@ -1,17 +1,18 @@
 ---@diagnostic disable
 --- Finds the objects near a place or a line, as the game's tables are now, not as the last step
---- left them. It changes no result: what the game writes and takes back before the next update has
---- never happened.
+--- left them. It changes no result: a value that the game writes and takes back before the next
+--- update has never been there.
 --
 -- It asks the grid of the world, in which everything has a *fat box* around its place. A query
--- first takes over what has come and gone (see objects/registry), without reading it. Then it
--- enlarges the fat boxes of what the game has moved out of them: a larger one is looked up anew by
+-- first takes over new and missing objects (see objects/registry), without reading them. Then it
+-- enlarges the fat boxes that the game has moved objects out of: a larger one is looked up anew by
 -- the next step, and changes no result. So the grid knows all objects.
 --
 -- A write leaves no trace, so each query compares all that moves. Groups of many objects of which
--- none moves are compared by the first query after an update, `add`, `remove` or `refresh`. With
--- more than `FEW` movers, only that query compares anything. What is found becomes a *catch*:
--- columns by place in it. What a query keeps of that becomes its list.
+-- none moves are compared by the first query after an update, `add`, `remove` or `refresh`; so are
+-- new keys of a group, other than the next number. With more than `FEW` movers, only that query
+-- compares anything. The objects that are found become a *catch*: columns by place in it. Those of
+-- them that a query keeps become its list.
 --
 -- Reads the grid, and position, size and filter of static objects; writes fat boxes and the grid.
 
@@ -54,7 +55,7 @@ local COLUMNS = {
   "entry", -- scratch of queries
 }
 
--- What the game has changed -----------------------------------------------------------------------
+-- Changes by the game -----------------------------------------------------------------------------
 
 -- Errors: an object of which place, size or `active` cannot be used.
 local function checkPlace(b, i)
@@ -77,12 +78,9 @@ local function isFiled(b, i)
     return true -- it has gone
   end
   checkPlace(b, i)
-  return object.active == false
-    or b.placed[i] ~= 0
-      and object.x >= fatLow[k]
-      and object.y >= fatLow[k + 1]
-      and object.x + object.width <= fatHigh[k]
-      and object.y + object.height <= fatHigh[k + 1]
+  local isInX = object.x >= fatLow[k] and object.x + object.width <= fatHigh[k]
+  local isInY = object.y >= fatLow[k + 1] and object.y + object.height <= fatHigh[k + 1]
+  return object.active == false or b.placed[i] ~= 0 and isInX and isInY
 end
 
 -- Puts slot i into the grid where it is now, if it is not there.
@@ -104,7 +102,7 @@ local function file(b, i)
   b.placed[i] = 1
 end
 
--- Takes over new groups, and what is in them. What stands still is filed here.
+-- Takes over new groups, and the objects in them. Static ones are filed here.
 local function lookAtGroups(b, world)
   settings.applyOrder(world)
   if b.isSeen and not registry.hasChanged(b.registry, world.objects) then
@@ -122,23 +120,18 @@ local function lookAtGroups(b, world)
   end
 end
 
--- Calls `visit(b, i)` for what can move and does not stand where it was read or written.
+-- Calls `visit(b, i)` for movable objects that do not stand where they were read or written.
 local function lookAtPlaces(b, visit)
   local movers, objects, written, size, placed = b.movers, b.object, b.written, b.size, b.placed
   for n = 1, b.moverCount do
     local i = movers[n]
     local object, k = objects[i], 2 * i
-    if
-      object
-      and (
-        object.x ~= written[k]
-        or object.y ~= written[k + 1]
-        or object.width ~= size[k]
-        or object.height ~= size[k + 1]
-        or placed[i] == 0
-      )
-    then
-      visit(b, i)
+    if object then
+      local isThere = object.x == written[k] and object.y == written[k + 1]
+      local isSame = isThere and object.width == size[k] and object.height == size[k + 1]
+      if not isSame or placed[i] == 0 then
+        visit(b, i)
+      end
     end
   end
 end
@@ -150,7 +143,7 @@ local function checkMissed(b, i)
   end
 end
 
---- Begins a query: looks at what has changed, and returns an empty catch, with its filter.
+--- Begins a query: takes over the changes, and returns an empty catch, with its filter.
 --- Errors: those of an update, a group, key or place that cannot be used.
 function near.begin(world, wanted)
   local b = world._bodies
@@ -192,7 +185,7 @@ local function add(c, i)
   local b, n = c.bodies, c.count + 1
   local object, k, m, kind = b.object[i], 2 * n, 2 * i, STATIC
   c.count, c.object[n], c.groupName[n], c.rank[n] =
-    n, object, b.groupName[i], registry.orderOf(b, i)
+    n, object, b.group[i].name, registry.orderOf(b, i)
   if b.kind[i] == STATIC then
     c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
     c.size[k], c.size[k + 1], c.shape[n] = b.size[m], b.size[m + 1], b.shape[i]
@@ -254,7 +247,8 @@ function near.get(c, object, where, name)
   return n
 end
 
---- Reads what decides what an object of a catch can meet. Errors: a field that cannot be used.
+--- Reads the fields that decide which objects one of a catch can meet. Errors: one of them cannot
+--- be used.
 function near.readFilter(c, n)
   local b, object = c.bodies, c.object[n]
   local i = b.slotOf[object]
@@ -270,7 +264,7 @@ function near.readFilter(c, n)
 end
 
 -- Results -----------------------------------------------------------------------------------------
--- `found[1..count]` of a catch are places in it: what a query keeps.
+-- `found[1..count]` of a catch are the places in it that a query keeps.
 
 --- Returns whether the filter of a catch accepts the group of an object in it. One that is a
 --- function is asked later.
@@ -287,7 +281,7 @@ function near.accepts(c, n)
   return type(c.filter) ~= "function" or c.filter(c.object[n])
 end
 
---- Ends a query: writes what it has kept and the filter accepts into `out`, in the order of column
+--- Ends a query: writes the kept objects that the filter accepts into `out`, in the order of column
 --- `first`, then of the world; and the values of that column into `values`, if it is a list.
 ---@return physics.Object[] objects
 ---@return integer count
@@ -310,7 +304,7 @@ function near.publish(c, count, first, out, values)
   return out, n
 end
 
---- Returns the first of what is kept that the filter accepts, by `entry`, then in the order of the
+--- Returns the first kept object that the filter accepts, by `entry`, then in the order of the
 --- world; nil: none.
 function near.first(c, count)
   sort.by(c.found, count, c.entry, c.rank, c.rank)
