@@ -18,13 +18,14 @@
 --                       so that a heap does not sink.
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
--- PASSES; a rest that is left is pushed away in later steps. Most of what a step has to find it
--- knows from the step before: a plane begins with the last impulse of its pair (`lastImpulse`), and
--- passes take back a part that is too much. So 16 passes do for crowds 18 bodies deep. Only bodies that are connected with a
--- new or violated plane are solved again. Contacts along an axis are settled before and after.
+-- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
+-- pushes: a plane begins with the last impulse of its pair (`lastImpulse`), of which passes take
+-- back a part that is too much. So 16 passes are enough for a crowd that is 18 bodies deep.
+-- Only bodies that are connected with a new or violated plane are solved again. Contacts along an
+-- axis are settled before and after.
 --
--- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative Dynamics
--- with Temporal Coherence, 2005), on places and then on speeds.
+-- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
+-- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
@@ -166,7 +167,7 @@ local function motionOf(b, i, j, nx, ny, ix, iy)
   return share * x * ix, share * y * iy
 end
 
--- Adds to the places (or velocities) of the two of row c what a push of `more` does.
+-- Pushes the two of row c apart by `more`: changes their places (or velocities).
 local function pushApart(column, s, c, more)
   local k, m = 2 * s.one[c], 2 * s.other[c]
   column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]

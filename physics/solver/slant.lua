@@ -13,8 +13,8 @@
 -- Both shapes are convex. So two that stay on their sides of the plane cannot overlap, at any speed
 -- and wherever else they go. Pairs that bounce get no plane: they have impacts.
 --
--- Planes are found in three ways: of pairs that touch when the step begins (`takes`), that will meet
--- on their paths (`find`), and that meet in a round and do not bounce (`meet`).
+-- Planes are found in three ways: of pairs that touch when the step begins (`takes`), that will
+-- meet on their paths (`find`), and that meet in a round and do not bounce (`meet`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
