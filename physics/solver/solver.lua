@@ -124,6 +124,7 @@ local function pressRound(b, dt, isFirst)
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b) then
       press.run(b)
+      b.isJammed = true -- so that contacts are exactly flush, whatever is violated elsewhere
       settleLate(b, dt, false)
     elseif n > 1 then
       return
