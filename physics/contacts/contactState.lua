@@ -8,6 +8,7 @@
 -- overlapping, wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
 local boxes = require(root .. ".space.boxes")
 local constants = require(root .. ".memory.constants")
 local crowd = require(root .. ".overlaps.crowd")
@@ -96,7 +97,8 @@ local function deepContact(b, p, i, j)
   end
   wedge(b, p, i, j)
   local isWedged = b.wedged[p] ~= 0
-  if not isWedged or (b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC) then
+  local areLeft = not isWedged or b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if areLeft and not (b.hasRound and ball.isRolling(b, b.to, i, j)) then
     leaveInside(b, i, j)
   end
   local side = isWedged and b.wedged[p] or b.contact[p] ~= 0 and b.contact[p] or b.hit[p]

@@ -13,9 +13,8 @@
 -- Both shapes are convex. So bodies on their own sides of the plane cannot overlap, at any speed
 -- and wherever else they go. Pairs that bounce get no plane: they have impacts.
 --
--- Planes are found in four ways: of pairs that touch when the step begins (`takes`), that will meet
--- on their paths (`find`), that meet in a round and do not bounce (`meet`), and that are in each
--- other at the end (`findLate`).
+-- Planes are found in three ways: of pairs that touch when the step begins (`takes`), that will
+-- meet on their paths (`find`), and that meet in a round and do not bounce (`meet`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
@@ -32,12 +31,11 @@ local yielding = require(root .. ".narrowphase.yielding")
 
 local slant = {}
 
-local APART, CONTACT, SLANTED = contacts.APART, contacts.CONTACT, contacts.SLANTED
+local APART, SLANTED = contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local huge, max, min = math.huge, math.max, math.min
--- Shares of the smaller size: an overlap that is left as it is, and the depth from which two leave
--- each other as boxes do.
-local SLOP, LOST = 0.002, ball.LOST
+-- Share of the smaller size: the depth from which two leave each other as boxes do.
+local LOST = ball.LOST
 -- Pairs get a plane although they may not meet if they are nearer than this share of the smaller
 -- size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
@@ -56,6 +54,7 @@ function slant.begin(b)
     s.time, s.speed = {}, {} -- when they meet, and how fast
     s.isNew, s.isFlush = {}, {} -- it was not solved yet; the two touch at the end of the step
     s.push, s.impulse = {}, {} -- by how much they are pushed apart: places, kg px; speeds, kg px/s
+    s.start = {} -- impulse with which the passes begin, see `weigh` in press
     s.height, s.first, s.second = {}, {}, {} -- the order, see `arrange` in press
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
@@ -121,21 +120,15 @@ local function mayPress(b, i, j)
     and min(b.power[i], b.power[j]) < huge
 end
 
--- Returns by how many px two bodies may be in each other: by nothing that shows, and not at all if
--- one of them is immovable or stronger.
-local function slopOf(b, i, j)
-  local areEqual = b.give[2 * i] > 0 and b.give[2 * j] > 0 and b.power[i] == b.power[j]
-  return areEqual and SLOP * ball.smallest(b, i, j) or EPSILON / 2
-end
-
 -- Makes plane c, or a new one, of pair p.
 local function put(b, c, p, i, j, nx, ny, least, time, speed)
   local s = b.slants
   s.count = max(s.count, c)
   s.pair[c], s.one[c], s.other[c], s.nx[c], s.ny[c], s.least[c] = p, i, j, nx, ny, least
-  s.time[c], s.speed[c], s.slop[c] = time, speed, slopOf(b, i, j)
+  s.time[c], s.speed[c], s.slop[c] = time, speed, ball.slop(b, i, j)
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), b.rank[i], b.rank[j]
   s.push[c], s.impulse[c], s.total[c], s.isNew[c], s.isFlush[c] = 0.0, 0.0, 1.0, true, false
+  s.start[c] = b.lastImpulse[p]
   b.touches[p] = SLANTED
 end
 
@@ -181,7 +174,7 @@ function slant.takes(b, p)
   elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
-  local slop = slopOf(b, i, j)
+  local slop = ball.slop(b, i, j)
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
   put(b, b.slants.count + 1, p, i, j, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0, u)
   return true
@@ -276,29 +269,34 @@ function slant.meet(b, p, t)
   return true
 end
 
---- Makes planes of the pairs that impacts have left in each other at the end of the step.
-function slant.findLate(b)
-  pairFinder.run(b, b.awakeList, b.awakeCount)
-  contacts.noteNew(b)
-  local touches, pairA, pairB, to = b.touches, b.pairA, b.pairB, b.to
+-- Returns whether slot i ends where it began.
+local function isStill(b, i)
+  local to, position, k = b.to, b.position, 2 * i
+  return to[k] == position[k] and to[k + 1] == position[k + 1]
+end
+
+-- Remembers with which impulses the pairs press each other: the next step begins with these. (A
+-- pair that lies still keeps its own, so that an island at rest does not change.)
+local function remember(b)
+  local s, last, live, touches = b.slants, b.lastImpulse, b.live, b.touches
   for n = 1, b.liveCount do
-    local p = b.live[n]
-    local mayBeIn = touches[p] < CONTACT and boxes.gap(b, to, pairA[p], pairB[p]) < -EPSILON
-    local i, j = slotsOf(b, p)
-    if mayBeIn and mayPress(b, i, j) and heap.mayPush(b, p, i, j) then
-      local gap, nx, ny = ball.gapIn(b, b.to, i, j)
-      local isNew = gap < -EPSILON and ball.gapIn(b, b.origin, i, j) >= -EPSILON
-      if isNew and not passes(b, p, i, j, nx, ny, false) then
-        put(b, b.slants.count + 1, p, i, j, nx, ny, along(b.to, i, j, nx, ny) - gap, 1.0, 0.0)
-      end
+    if touches[live[n]] ~= SLANTED then
+      last[live[n]] = 0.0
+    end
+  end
+  for c = 1, s.count do
+    local i, j = s.one[c], s.other[c]
+    if not (isStill(b, i) and isStill(b, j)) then
+      last[s.pair[c]] = s.isFlush[c] and s.impulse[c] or 0.0
     end
   end
 end
 
 --- Notes the hits of pairs that begin to touch in this step, and forgets those that did not come to
---- that.
+--- that; and how strongly they press each other.
 function slant.tell(b)
   local s = b.slants
+  remember(b)
   for c = 1, s.count do
     local p = s.pair[c]
     if s.isFlush[c] then

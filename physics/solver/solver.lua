@@ -123,6 +123,7 @@ local function pressRound(b, dt, isFirst)
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
+      b.isJammed = true -- so that contacts are exactly flush again
       settleLate(b, dt, false)
     elseif n > 1 then
       return
@@ -242,7 +243,7 @@ local function solve(b, dt)
   notePressed(b, 0)
   notePressed(b, 1)
   noteParted(b)
-  if b.slants.count > 0 then
+  if b.hasRound then
     slant.tell(b)
   end
   return true

@@ -223,7 +223,7 @@ end)
 -- ball that was stopped between two bricks; a crowd in a round pillar, in the player that presses
 -- it there, in what it held.
 local FOUND = {
-  marbles = { 86, 1110, 762, 1236 },
+  marbles = { 1110, 762, 1236 },
   breakout = { 273, 630, 1, 2 },
   survivors = { 30, 58, 68, 74 },
   arena = { 3, 14, 1, 2 },
