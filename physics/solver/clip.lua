@@ -17,7 +17,9 @@
 -- A box that was clipped gives way nowhere in this step. Others that are in its way are clipped,
 -- too: it is a wall for them, but only towards the sides on which faces stop it.
 --
--- The point is found by space/planes.lua.
+-- Walls are found one by one: the nearest point (space/planes.lua), the wall in which the box would
+-- be deepest there, its face, and again, at most MOST times. If there is no such point, fewer walls
+-- count in further attempts (`counting`): the others give way, or crush.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local boxes = require(root .. ".space.boxes")
@@ -183,8 +185,8 @@ local function addFace(b, i, j, x, y, t)
 end
 
 -- Returns where box i ends, if it is to come to no wall, and leaves the half-planes on which it is
--- there; nil: there is no such place. It is no further from where box i was going than where that
--- began, which goes with the walls. Faces are those in front of which it was when its path began,
+-- there; nil: there is no such place. Box i ends at most as far from its goal as its start was,
+-- plus the ways of the listed walls. Faces are those in front of which it was when its path began,
 -- or if that was in a wall, when the step began.
 local function findPlace(b, i)
   local k, most, t = 2 * i, wayOf(b, i, b.origin) + NEAR, b.time[i]
@@ -198,19 +200,19 @@ local function findPlace(b, i)
     most = most + wayOf(b, wall[n], b.from)
   end
   local wantX, wantY = b.to[k], b.to[k + 1]
+  local x, y, one, other, j
   for _ = 1, MOST do
-    local x, y, one, other = planes.nearest(wantX, wantY, most)
-    local j = x and lookUp(b, i, x, y)
-    if not j then
-      local isFree = x and not (other > 0 and areClosing(b, one, other))
-      planes.keepOnly(one, other)
-      path.lead(b, i, wantX, wantY)
-      return isFree and x, y
-    elseif not addFace(b, i, j, startX, startY, t) then
-      path.lead(b, i, wantX, wantY)
-      return nil
+    x, y, one, other = planes.nearest(wantX, wantY, most)
+    j = x and lookUp(b, i, x, y)
+    if not j or not addFace(b, i, j, startX, startY, t) then
+      break
     end
     most = most + wayOf(b, j, b.from)
+  end
+  path.lead(b, i, wantX, wantY)
+  if x and not j and not (other > 0 and areClosing(b, one, other)) then
+    planes.keepOnly(one, other)
+    return x, y
   end
 end
 

@@ -14,15 +14,17 @@
 --   ##############      front of all that stop it (`leaveWalls`), which passes reach slowly.
 --                    3. The same with the speeds, for the rows that touch at the end: they must not
 --                       close. The speed along the tangent is kept.
---                    4. Under gravity SHOCKS more, in which the lower body does not give way,
---                       so that a heap does not sink.
+--                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
+--                       give way and no push is taken back, so that a heap does not sink. FURTHEST
+--                       does not apply, and which rows touch is not found anew.
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
 -- pushes: a plane begins with the last impulse of its pair (`lastImpulse`), of which passes take
 -- back a part that is too much. So 16 passes are enough for a crowd that is 18 bodies deep.
--- Only bodies that are connected with a new or violated plane are solved again. Contacts along an
--- axis are settled before and after.
+-- Only bodies that are connected with a new or violated plane are solved again. A solve presses
+-- several times: planes keep their pushes from call to call, rows of axis contacts begin at 0.
+-- Contacts along an axis are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
 -- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
@@ -133,8 +135,8 @@ local function addContact(b, list, n, c)
   return true
 end
 
--- Lists the rows to be solved: planes, and behind them the contacts along an axis of the same
--- bodies.
+-- Lists the rows to be solved, by height. Planes keep their numbers; contacts along an axis of the
+-- same bodies get the numbers behind these.
 local function listRows(b, ofAll)
   local s, last = b.slants, b.slants.count
   s.rows, s.stamp = 0, s.stamp + 1
