@@ -146,7 +146,7 @@ end
 -- The source without comments, indents and empty lines.
 local function stripped(text)
   local parts, before = {}, nil
-  for _, token in ipairs(require("scripts.tokens").list(text)) do
+  for _, token in ipairs(require("scripts.mutations").tokens(text)) do
     if before and token.line > before.line then
       parts[#parts + 1] = "\n"
     elseif before and token.at > before.at + #before.text then

@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 825 },
   { "physics/queries", 987 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3512 },
+  { "physics/solver", 3509 },
   { "physics/space", 499 },
   { "physics/state", 1066 },
   { "physics/world", 1437 },

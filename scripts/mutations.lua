@@ -49,20 +49,32 @@ local function others(kind, text, before)
   return before ~= "." and before ~= ":" and kind ~= "string" and SWAPS[text] or {}
 end
 
+--- The tokens of a text, without comments.
+---@param text string Lua source
+---@return table[] list of `{ kind =, text =, at =, line = }`, with the kinds of luacheck's lexer
+function mutations.tokens(text)
+  local list = {}
+  local state = lexer.new_state(decoder.decode((text:gsub("[\128-\255]", "?")))) -- offsets in bytes
+  local kind, _, line, at = lexer.next_token(state)
+  while kind and kind ~= "eof" do
+    if not kind:find("comment") then
+      list[#list + 1] = { kind = kind, text = text:sub(at, state.offset - 1), at = at, line = line }
+    end
+    kind, _, line, at = lexer.next_token(state)
+  end
+  return list
+end
+
 --- Everything that can be changed in a text.
 ---@param text string Lua source
 ---@return table[] list of `{ at =, line =, old =, new = }`
 function mutations.list(text)
   local list, before = {}, nil
-  local state = lexer.new_state(decoder.decode((text:gsub("[\128-\255]", "?")))) -- offsets in bytes
-  local kind, _, line, at = lexer.next_token(state)
-  while kind and kind ~= "eof" do
-    local old = text:sub(at, state.offset - 1)
-    for _, new in ipairs(others(kind, old, before)) do
-      list[#list + 1] = { at = at, line = line, old = old, new = new }
+  for _, token in ipairs(mutations.tokens(text)) do
+    for _, new in ipairs(others(token.kind, token.text, before)) do
+      list[#list + 1] = { at = token.at, line = token.line, old = token.text, new = new }
     end
-    before = kind:find("comment") and before or kind
-    kind, _, line, at = lexer.next_token(state)
+    before = token.kind
   end
   return list
 end

@@ -31,7 +31,7 @@ events.VALUES = {
   "leant", -- 1: the contact begins because one object leans on the other, without a hit
   "rankA",
   "rankB",
-  "x1", -- of `onBegin`: the ends of the common edge
+  "x1", -- of `onBegin` (`onStay` is not told): the ends of the common edge
   "y1",
   "x2",
   "y2",

@@ -179,7 +179,8 @@ local function pushApart(column, s, c, more)
   column[m], column[m + 1] = column[m] - more * s.ex[c], column[m + 1] - more * s.ey[c]
 end
 
--- Computes how the two bodies of each row give way. `isShock`: the lower body does not.
+-- Computes how the two bodies of each row give way, and pushes those apart that begin with an
+-- impulse of the last step. `isShock`: the lower body does not give way.
 local function weigh(b, isShock)
   local s, down, give = b.slants, b.down, b.give
   for n = 1, s.rows do

@@ -225,7 +225,7 @@ end)
 local FOUND = {
   marbles = { 1110, 762, 1236 },
   breakout = { 273, 630, 1, 2 },
-  survivors = { 30, 58, 68, 74 },
+  survivors = { 30, 58, 68 },
   arena = { 3, 14, 1, 2 },
 }
 -- Frames, where others play 300.
