@@ -108,7 +108,7 @@ end
 local function settleLate(b, dt, isFirst)
   settle.again(b, b.downAxis, dt)
   settle.again(b, 1 - b.downAxis, dt)
-  b.isJammed = false
+  b.mustSettle = false
   rounds.findChanged(b)
   if b.walks then
     walk.run(b, dt, isFirst)
@@ -123,7 +123,7 @@ local function pressRound(b, dt, isFirst)
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
-      b.isJammed = true -- so that contacts are exactly flush again
+      b.mustSettle = true -- so that contacts are exactly flush again
       settleLate(b, dt, false)
     elseif n > 1 then
       return
@@ -134,7 +134,7 @@ end
 -- Makes the stages before the first round: settles the bodies that touch when the step begins,
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
-  b.solveStamp, b.isJammed, b.isTight = b.solveStamp + 1, false, false
+  b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
   b.blockedCount = 0
   begin(b)
   flow.begin(b)
