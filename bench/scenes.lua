@@ -31,7 +31,6 @@ local scenes = {}
 local FILES = {
   "pile",
   "level",
-  "hills",
   "gas",
   "balls",
   "zones",

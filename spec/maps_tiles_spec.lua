@@ -2,6 +2,7 @@
 
 local effort = require("spec.support.effort")
 local garbage = require("spec.support.garbage")
+local costOf = require("spec.support.instructions")
 local physics = require("physics")
 local random = require("spec.support.random")
 local small = require("spec.support.small")
@@ -187,24 +188,6 @@ describe("world:addTiles", function()
     tiles:unload()
     assert.same({ 1, 1 }, { tiles:cellAt(5, 5) })
   end)
-
-  -- Returns how many hundreds of instructions a function takes.
-  local function costOf(f)
-    local jit, count = rawget(_G, "jit"), 0
-    if jit then
-      jit.off()
-      jit.flush()
-    end
-    debug.sethook(function()
-      count = count + 1
-    end, "", 100)
-    f()
-    debug.sethook()
-    if jit then
-      jit.on()
-    end
-    return count
-  end
 
   -- Returns what digging cells of one row costs in so many rows, before the first update and after
   -- it, what the update costs after that beyond an idle one, what it costs to unload the next 10

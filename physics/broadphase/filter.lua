@@ -45,13 +45,20 @@ function filter.refusal(b, i, j)
   end
 end
 
+--- Returns whether slot i or slot j is a sensor: the two press nothing.
+function filter.isSensed(b, i, j)
+  return b.sensor[i] or b.sensor[j]
+end
+
+local isSensed = filter.isSensed
+
 --- Returns whether two objects are soft to each other: then they drift apart instead of colliding
 --- (see drift). Static objects and sensors are soft to nothing.
 function filter.isSoft(b, i, j)
   local row = b.soft and b.soft[b.groupName[i]]
   local isNamed = row and row[b.groupName[j]] ~= nil
   local canDrift = isNamed and b.kind[i] ~= STATIC and b.kind[j] ~= STATIC
-  return canDrift and not (b.sensor[i] or b.sensor[j])
+  return canDrift and not isSensed(b, i, j)
 end
 
 --- Returns why two objects cannot meet (a word for `explain`), or nil if they can.
@@ -60,7 +67,7 @@ function filter.reason(b, i, j)
   if not (b.active[i] and b.active[j]) then
     return "inactive"
   end
-  if mostFree == STATIC or mostFree < DYNAMIC and not (b.sensor[i] or b.sensor[j]) then
+  if mostFree == STATIC or mostFree < DYNAMIC and not isSensed(b, i, j) then
     return "immovable"
   elseif filter.isSoft(b, i, j) then -- most pairs in a crowd
     return "soft"
@@ -71,18 +78,13 @@ end
 
 --- Returns whether both slots are solid on all their sides.
 function filter.areSolid(b, i, j)
-  return not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
-end
-
---- Returns whether slot i or slot j is a sensor: the two press nothing.
-function filter.isSensed(b, i, j)
-  return b.sensor[i] or b.sensor[j]
+  return not (isSensed(b, i, j) or b.oneWay[i] or b.oneWay[j])
 end
 
 --- Returns whether an object that is not dynamic, or any object (`isAny`), can be in the way of
 --- another object: it is solid for that on every side.
 function filter.blocks(b, i, j, isAny)
-  local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[j])
+  local isSolid = not (isSensed(b, i, j) or b.oneWay[j])
   return isSolid and (isAny or b.kind[j] ~= DYNAMIC) and not filter.reason(b, i, j)
 end
 

@@ -30,10 +30,13 @@ end
 local row = play.row
 
 describe("maxSlope: walls", function()
-  row("stop a walker of {speed} px/s at {rise} px in {run}", EVERYWHERE, function(v)
+  -- A ramp with a plateau behind it.
+  local function newRamp(v)
     local top = solid("top", 100 + v.run, 400 - v.rise, 300, v.rise)
     return at(20, 376, nil, slope(100, 400 - v.rise, v.run, v.rise), top)
-  end, {
+  end
+
+  row("stop a walker of {speed} px/s at {rise} px in {run}", EVERYWHERE, newRamp, {
     { 1, keep = "body.vx = speed", "body.y ~ 376" },
     "body at 84, 376",
     "body.vx == 0; body.vy == 0",
@@ -46,10 +49,7 @@ describe("maxSlope: walls", function()
     { 400, 30, 20 },
   })
 
-  row("let a walker up that are no steeper: {rise} px in {run}", EVERYWHERE, function(v)
-    local top = solid("top", 100 + v.run, 400 - v.rise, 300, v.rise)
-    return at(20, 376, nil, slope(100, 400 - v.rise, v.run, v.rise), top)
-  end, {
+  row("let a walker up that are no steeper: {rise} px in {run}", EVERYWHERE, newRamp, {
     { 2, keep = "body.vx = 120", "body touches bottom" },
     "body at 260, 376 - rise",
   }, { "rise, run", { 50, 100 }, { 100, 100 } })
