@@ -172,7 +172,8 @@ local function motionOf(b, i, j, nx, ny, ix, iy)
   return share * x * ix, share * y * iy
 end
 
--- Pushes the two of row c apart by `more`: changes their places (or velocities).
+-- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`sweep`
+-- has it written out: with a call crowds of circles cost 9 % more without the trace compiler.)
 local function pushApart(column, s, c, more)
   local k, m = 2 * s.one[c], 2 * s.other[c]
   column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]
