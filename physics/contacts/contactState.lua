@@ -69,7 +69,7 @@ end
 -- Notes that two overlapping bodies must be parted, if they are dynamic (see overlaps/overlap.lua).
 local function leaveInside(b, i, j)
   b.inside[i], b.inside[j] = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
-  b.hasInside = true
+  b.hasOverlaps = true
 end
 
 -- Returns the side of the first body of pair p on which it would leave the second one, which it
@@ -110,7 +110,7 @@ end
 -- about which the game must be asked is in contact once it was asked: in the next step, if there
 -- was no hit.
 local function flushContact(b, p, i, j, side)
-  local isOpen = b.hasAskers and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
+  local isOpen = b.mayPass and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
   if isOpen or b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
     return 0
   end
@@ -147,7 +147,7 @@ end
 function contactState.update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
-  if b.contact[p] == 0 and b.hasCrowds and crowd.isGhost(b, i, j) then
+  if b.contact[p] == 0 and b.hasOverlaps and crowd.isGhost(b, i, j) then
     -- Members of a crowd never begin a contact: whether two are still a pair depends on when the
     -- crowd formed.
     return

@@ -198,7 +198,7 @@ function events.endContacts(b, i, isOver)
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
       if b.contact[p] ~= 0 then
-        if b.hasPacked then
+        if b.hasOverlaps then
           patience.loosen(b, i)
           patience.loosen(b, j)
         end

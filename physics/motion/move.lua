@@ -124,7 +124,7 @@ function move.run(b, dt)
     zones.run(b, b.awakeList, b.awakeCount, dt * 0.5)
   end
   findFlights(b, dt)
-  if b.hasHinders then
+  if b.hasLimits then
     forces.hinder(b, dt)
   end
   if b.hasCarriers then

@@ -35,7 +35,7 @@ function zones.note(b, i)
     list[#list + 1] = i
   end
   b.hasZones = true
-  b.hasHinders = b.hasHinders or (area.drag or 0) > 0
+  b.hasLimits = b.hasLimits or (area.drag or 0) > 0
   allot.chooseFlow(b)
 end
 

@@ -110,7 +110,7 @@ local function settleLate(b, dt, isFirst)
   settle.again(b, 1 - b.downAxis, dt)
   b.mustSettle = false
   rounds.findChanged(b)
-  if b.walks then
+  if b.hasSlopes then
     walk.run(b, dt, isFirst)
     rounds.findChanged(b)
   end
@@ -139,11 +139,11 @@ local function prepare(b, dt)
   begin(b)
   flow.begin(b)
   pairFinder.listLive(b)
-  if b.walks then
+  if b.hasSlopes then
     walk.begin(b)
   end
   settleTouching(b, dt)
-  if b.hasNudges then
+  if b.hasAids then
     nudgeTouching(b, dt)
   end
   settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
@@ -159,7 +159,7 @@ local function runRounds(b, dt, awakenings)
     elseif n == ROUNDS then
       return true
     end
-    if b.walks then
+    if b.hasSlopes then
       walk.run(b, dt, false)
     end
     settleLate(b, dt, false)
@@ -172,7 +172,7 @@ end
 -- replaces them by the neighbours that press it.
 local function noteCrush(b, k)
   if not b.crushed[k] then
-    b.crushed[k], b.hasCrushed = true, true
+    b.crushed[k], b.hasOverlaps = true, true
     b.crushLow[k], b.crushHigh[k] = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
   end
 end
@@ -224,7 +224,7 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
-  for _ = 1, b.walks and CLIPS or 0 do
+  for _ = 1, b.hasSlopes and CLIPS or 0 do
     -- (If bodies have woken, the step begins anew: their contacts are not known yet.)
     if b.awakenings ~= awakenings or not clip.run(b, dt) then
       break
@@ -234,7 +234,7 @@ local function solve(b, dt)
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)
   end
-  if b.hasSnaps then
+  if b.hasAids then
     snap.run(b)
   end
   if b.awakenings ~= awakenings then
