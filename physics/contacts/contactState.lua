@@ -4,7 +4,7 @@
 --
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
--- Reads to, position, hit, pressedLow, pressedHigh, passing and others; writes contact,
+-- Reads to, position, hit, pressedSide, passing and others; writes contact,
 -- overlapping, wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -31,13 +31,8 @@ end
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
 -- this step.
 local function isPressed(b, i, j, side)
-  local axis = side > 2 and 1 or 0
-  local ki, kj = 2 * i + axis, 2 * j + axis
-  local iDynamic, jDynamic = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
-  if side % 2 == 0 then
-    return iDynamic and b.pressedHigh[ki] or jDynamic and b.pressedLow[kj]
-  end
-  return iDynamic and b.pressedLow[ki] or jDynamic and b.pressedHigh[kj]
+  return b.kind[i] == DYNAMIC and b.pressedSide[4 * i + side]
+    or b.kind[j] == DYNAMIC and b.pressedSide[4 * j + OPPOSITE[side]]
 end
 
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
@@ -111,7 +106,8 @@ end
 -- was no hit.
 local function flushContact(b, p, i, j, side)
   local isOpen = b.mayPass and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
-  if isOpen or b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
+  local passes = side == 0 or b.passing[p] or b.dropping[p]
+  if isOpen or passes or rules.lets(b, i, j, side, false) then
     return 0
   end
   local isHeld = b.contact[p] == side or b.hit[p] == side or b.sideBySide

@@ -92,8 +92,8 @@ local function locate(b, p, side, isHit)
   local at, low, high, nx, ny
   if isHit then
     local sign = isSwapped and -1 or 1
-    at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
-    nx, ny = sign * b.hitNormalX[p], sign * b.hitNormalY[p]
+    at, low, high = b.hitAt[p], b.hitEnd[2 * p], b.hitEnd[2 * p + 1]
+    nx, ny = sign * b.hitNormal[2 * p], sign * b.hitNormal[2 * p + 1]
   elseif isSwapped then
     at, low, high, nx, ny = touch.line(b, j, i, OPPOSITE[side], 1)
   else
@@ -172,14 +172,15 @@ end
 
 --- Notes the events of objects that begin to be crushed in this step, on each axis.
 function events.tellCrush(b)
-  local list, crushed, wasCrushed = b.awakeList, b.crushed, b.wasCrushed
+  local list, crusher, wasCrushed = b.awakeList, b.crusher, b.wasCrushed
   for n = 1, b.awakeCount do
     local i = list[n]
     for k = 2 * i, 2 * i + 1 do
-      if crushed[k] and not wasCrushed[k] and hasListener(b, "onCrush", i, i) then
-        note(b, "onCrush", i, b.crushLow[k], b.object[b.crushHigh[k]], k % 2 == 0 and "x" or "y", 0)
+      local low, high = crusher[2 * k + 1], crusher[2 * k + 2] -- 0: it is not crushed
+      if low > 0 and not wasCrushed[k] and hasListener(b, "onCrush", i, i) then
+        note(b, "onCrush", i, low, b.object[high], k % 2 == 0 and "x" or "y", 0)
       end
-      wasCrushed[k] = crushed[k]
+      wasCrushed[k] = low > 0
     end
   end
 end

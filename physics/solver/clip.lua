@@ -74,18 +74,19 @@ end
 
 -- Walls in the way --------------------------------------------------------------------------------
 
--- Goes on with `room` and `wall` along the contacts of an axis, from low bodies to high ones
+-- Goes on with the room of each side along the contacts of an axis, from low bodies to high ones
 -- (`sign` 1) or back (-1).
-local function spread(b, list, room, walls, sign)
+local function spread(b, list, sign)
+  local room, walls, at = b.clipWork.room, b.clipWork.wall, sign > 0 and 1 or 2
   local near, far, first, last = list.low, list.high, 1, list.count
   if sign < 0 then
     near, far, first, last = list.high, list.low, list.count, 1
   end
   for c = first, last, sign do
-    local k, m = near[c], far[c]
-    local place = room[k] + sign * list.separation[c]
-    if b.kind[floor(m * 0.5)] == DYNAMIC and place * sign > room[m] * sign then
-      room[m], walls[m] = place, walls[k]
+    local from, to = 2 * near[c] + at, 2 * far[c] + at
+    local place = room[from] + sign * list.separation[c]
+    if b.kind[floor(far[c] * 0.5)] == DYNAMIC and place * sign > room[to] * sign then
+      room[to], walls[to] = place, walls[from]
     end
   end
 end
@@ -94,18 +95,17 @@ end
 -- bodies, and which wall that is. (Bodies that are squeezed are in each other. One that was clipped
 -- is a wall where faces stop it, and gives way to its other side.)
 local function findRoom(b, axis)
-  local list, give, to, loose, stamp = b.contacts[axis], b.give, b.to, b.loose, b.solveStamp
+  local list, work = b.contacts[axis], b.clipWork
   for c = 1, list.count do
-    for n = 1, 2 do
-      local k = n == 1 and list.low[c] or list.high[c]
-      local isLooseLow = give[k] > 0 or loose[2 * k] == stamp
-      local isLooseHigh = give[k] > 0 or loose[2 * k + 1] == stamp
-      b.roomLow[k], b.roomHigh[k] = isLooseLow and -huge or to[k], isLooseHigh and huge or to[k]
-      b.wallLow[k], b.wallHigh[k] = floor(k * 0.5), floor(k * 0.5)
+    for n = 0, 3 do
+      local k = n < 2 and list.low[c] or list.high[c]
+      local at, furthest = 2 * k + 1 + n % 2, n % 2 == 0 and -huge or huge
+      local isLoose = b.give[k] > 0 or work.loose[at] == b.solveStamp
+      work.room[at], work.wall[at] = isLoose and furthest or b.to[k], floor(k * 0.5)
     end
   end
-  spread(b, list, b.roomLow, b.wallLow, 1)
-  spread(b, list, b.roomHigh, b.wallHigh, -1)
+  spread(b, list, 1)
+  spread(b, list, -1)
 end
 
 -- Adds a half-plane that slot j, directly or through others, keeps box i in, if that wall counts.
@@ -117,16 +117,17 @@ end
 
 -- Adds the half-planes of the objects that box i touches, but for edges of slopes.
 local function addRoom(b, i)
+  local room, walls = b.clipWork.room, b.clipWork.wall
   for _, j, p in neighbours(b, i) do
     local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and counting < FIXED
     if isContact and not touch.haveFaces(b, i, j) then
-      local kl, kh, separation = b.contactLow[p], b.contactHigh[p], b.separation[p]
+      local kl, separation = b.bodyOf[2 * p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i
-      if isLow and b.roomHigh[kh] < huge then
-        local place = separation - b.roomHigh[kh]
-        addWall(b, axis - 1, -axis, place, b.wallHigh[kh], 2 * axis + 2)
-      elseif not isLow and b.roomLow[kl] > -huge then
-        addWall(b, 1 - axis, axis, b.roomLow[kl] + separation, b.wallLow[kl], 2 * axis + 1)
+      local at = isLow and 2 * b.bodyOf[2 * p + 1] + 2 or 2 * kl + 1
+      if isLow and room[at] < huge then
+        addWall(b, axis - 1, -axis, separation - room[at], walls[at], 2 * axis + 2)
+      elseif not isLow and room[at] > -huge then
+        addWall(b, 1 - axis, axis, room[at] + separation, walls[at], 2 * axis + 1)
       end
     end
   end
@@ -225,17 +226,16 @@ local function block(b, i, n)
   ]
   local across = t == 0 and nx[n] or ny[n]
   if across ~= 0 then
-    local pressed, last = across < 0 and b.pressedHigh or b.pressedLow, b.blockedCount + 1
-    pressed[2 * i + t] = true
-    b.blockedCount = last
-    b.blocked[2 * last - 1], b.blocked[2 * last] = 4 * i + 2 * t + (across < 0 and 2 or 1), wall[n]
+    local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
+    b.pressedSide[at], work.count = true, work.count + 1
+    work.blocked[work.count], work.slope[work.count] = at, wall[n]
   end
 end
 
 -- Notes that a face with such a normal stops body k on one side of an axis.
 local function stop(b, k, normal)
   if normal ~= 0 then
-    b.loose[2 * k + (normal < 0 and 1 or 0)] = 0
+    b.clipWork.loose[2 * k + (normal < 0 and 2 or 1)] = 0
   end
 end
 
@@ -243,14 +243,13 @@ end
 -- one at which it goes into none of them.
 local function put(b, i, x, y)
   local k = 2 * i
-  for at = 2 * k, 2 * k + 3 do
-    b.loose[at] = b.solveStamp
+  for at = 4 * i + 1, 4 * i + 4 do
+    b.clipWork.loose[at] = b.solveStamp
   end
   for n = 1, planes.count do
     stop(b, k, nx[n])
     stop(b, k + 1, ny[n])
-    local pressed = side[n] % 2 == 0 and b.pressedHigh or b.pressedLow
-    pressed[k + AXIS[side[n]]] = true
+    b.pressedSide[4 * i + side[n]] = true
     if planes.count == 2 then
       block(b, i, n)
     end

@@ -78,13 +78,13 @@ local function chooseSupport(b, list, k, c, other)
 end
 
 -- Returns whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1): it
--- has lost speed to m, and either something immovable holds m (`held`), or gravity presses k onto
+-- has lost speed to m, and either something immovable holds m, or gravity presses k onto
 -- m, which gives way.
-local function leans(b, k, m, sign, held)
+local function leans(b, k, m, sign)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
   if b.give[k] == 0 or lost < 0 then
     return false
-  elseif held[m] > 0 then
+  elseif b.held[2 * m + (sign > 0 and 2 or 1)] > 0 then
     return true
   end
   return lost > 0 and b.down[k] == sign and (b.speed[m] - b.freeSpeed[m]) * sign >= 0
@@ -103,9 +103,9 @@ local function findSupports(b, list, axis)
     local kl, kh = low[c], high[c]
     local over, sign = to[kl] + separation[c] - to[kh], 0
     if over <= SQUEEZED and over >= -EPSILON then
-      if leans(b, kl, kh, 1, b.heldHigh) then
+      if leans(b, kl, kh, 1) then
         sign = 1
-      elseif leans(b, kh, kl, -1, b.heldLow) then
+      elseif leans(b, kh, kl, -1) then
         sign = -1
       end
     end

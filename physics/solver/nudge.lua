@@ -42,8 +42,8 @@ end
 local function mayGo(b, i, k, distance)
   local motion = b.to[k] - b.from[k] - b.carried[k] * (1 - b.time[i]) * b.dt
   local isBack = (motion > EPSILON and distance < 0) or (motion < -EPSILON and distance > 0)
-  local size, held = max(distance, -distance), distance > 0 and b.heldHigh or b.heldLow
-  return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack and held[k] == 0
+  local size, isHeld = max(distance, -distance), b.held[2 * k + (distance > 0 and 2 or 1)] > 0
+  return size > EPSILON and size <= b.nudge[i] + EPSILON and not (isBack or isHeld)
 end
 
 -- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t, if the

@@ -77,8 +77,7 @@ local function put(b, i, j, k, turn, height)
     path.finish(b, k, place, v, a)
     return
   end
-  local pressed = turn > 0 and b.pressedHigh or b.pressedLow
-  pressed[k] = true
+  b.pressedSide[2 * k + (turn > 0 and 2 or 1)] = true
   yielding.leanOn(b, k, m, -turn)
   b.snaps.lowered[i] = (b.to[k] - place) * turn
 end

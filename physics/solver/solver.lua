@@ -135,7 +135,7 @@ end
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
   b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
-  b.blockedCount = 0
+  b.clipWork.count = 0
   begin(b)
   flow.begin(b)
   pairFinder.listLive(b)
@@ -168,12 +168,15 @@ local function runRounds(b, dt, awakenings)
   return b.overlapCount > 0 or b.isTight
 end
 
--- Notes that body k is crushed. The two bodies that crush it are those that hold it; `notePressed`
--- replaces them by the neighbours that press it.
-local function noteCrush(b, k)
-  if not b.crushed[k] then
-    b.crushed[k], b.hasOverlaps = true, true
-    b.crushLow[k], b.crushHigh[k] = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
+-- Notes that body k is crushed if it is squeezed, and that body m presses it on a side. If none
+-- presses the other side, it is crushed by the body that holds it there.
+local function noteCrush(b, k, side, m)
+  local crusher, low, high = b.crusher, 2 * k + 1, 2 * k + 2
+  if b.squeezed[k] ~= 0 then
+    if crusher[low] == 0 then
+      crusher[low], crusher[high] = floor(b.holder[low] * 0.5), floor(b.holder[high] * 0.5)
+    end
+    crusher[2 * k + side], b.hasOverlaps = floor(m * 0.5), true
   end
 end
 
@@ -186,23 +189,17 @@ end
 -- leaves along the same axis and is never squeezed out sideways.
 local function notePressed(b, axis)
   local list, pressed, hit, contact = b.contacts[axis], b.pressed, b.hit, b.contact
-  local pressedHigh, pressedLow, squeezed = b.pressedHigh, b.pressedLow, b.squeezed
+  local pressedSide = b.pressedSide
   for c = 1, list.count do
     local p, kl, kh = list.pair[c], list.low[c], list.high[c]
     if pressed[p] == 1 then
-      pressedHigh[kl], pressedLow[kh] = true, true
+      pressedSide[2 * kl + 2], pressedSide[2 * kh + 1] = true, true
       b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
       if contact[p] == 0 then
         impact.note(b, p, floor(kl * 0.5), axis, max(b.start[kl] - b.start[kh], 0.0), 0)
       end
-      if squeezed[kl] ~= 0 then
-        noteCrush(b, kl)
-        b.crushHigh[kl] = floor(kh * 0.5)
-      end
-      if squeezed[kh] ~= 0 then
-        noteCrush(b, kh)
-        b.crushLow[kh] = floor(kl * 0.5)
-      end
+      noteCrush(b, kl, 2, kh)
+      noteCrush(b, kh, 1, kl)
     end
   end
 end
