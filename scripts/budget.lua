@@ -10,21 +10,21 @@ local files = require("spec.support.files")
 
 local BUDGET = {
   { "physics.lua", 86 },
-  { "physics/broadphase", 629 },
-  { "physics/contacts", 383 },
+  { "physics/broadphase", 630 },
+  { "physics/contacts", 384 },
   { "physics/fields", 659 },
   { "physics/maps", 2598 },
-  { "physics/memory", 873 },
-  { "physics/motion", 1054 },
+  { "physics/memory", 858 },
+  { "physics/motion", 1055 },
   { "physics/narrowphase", 589 },
-  { "physics/objects", 1308 },
-  { "physics/overlaps", 825 },
+  { "physics/objects", 1309 },
+  { "physics/overlaps", 826 },
   { "physics/queries", 987 },
-  { "physics/sleep", 85 },
-  { "physics/solver", 3503 },
+  { "physics/sleep", 83 },
+  { "physics/solver", 3504 },
   { "physics/space", 499 },
   { "physics/state", 1066 },
-  { "physics/world", 1437 },
+  { "physics/world", 1438 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -7,7 +7,7 @@
 -- the same, and nothing is looked up. A larger set of neighbours changes no result, since each
 -- pair is tested exactly later on. So broad phases and margins may differ, the bits do not.
 --
--- Reads from, to, size, awake; writes fatLow, fatHigh, the pairs, live and the step columns of the
+-- Reads from, to, size, awakeAt; writes fat boxes, the pairs, live and the step columns of the
 -- pairs, and `support` where that has ended.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -29,16 +29,19 @@ local MARGIN = 1
 -- Few objects leave it in that time. An object with `hits` meets few others, and may reach further.
 local AHEAD, FARTHEST, FARTHEST_AIMED = 10.0, 8.0, 64.0
 
+-- Value of `place` of a pair that is listed to be unlinked.
+local LEAVING = 2
+
 --- px: the pairs of round bodies that are as near as that are known when slanted contacts are
 --- looked for. (Otherwise which are known depends on the past.)
 pairFinder.REACH = 1.5
 
--- Lists in b.parted the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
+-- Lists in b.linked the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
 -- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
 -- step has been told.
 local function listParted(b, strays, count)
   local fatLow, fatHigh, other, nextHalf = b.fatLow, b.fatHigh, b.other, b.next
-  local parted, head, leaving, n = b.parted, b.head, b.leaving, 0
+  local parted, head, place, n = b.linked, b.head, b.place, 0
   strays[count + 1], head[0] = 0, 0
   local m, half = 1, head[strays[1]]
   while m <= count do
@@ -49,9 +52,9 @@ local function listParted(b, strays, count)
       if contact(fatLow, fatHigh, 2 * strays[m], 2 * other[half]) < 0 then
         local p = floor(half * 0.5 + 0.5)
         local isNeeded = b.contact[p] ~= 0 or b.hit[p] ~= 0 or b.touches[p] ~= 0
-        if not (isNeeded or b.overlapping[p] or leaving[p]) then
+        if not (isNeeded or b.overlapping[p] or place[p] == LEAVING) then
           n = n + 1
-          parted[n], leaving[p] = p, true
+          parted[n], place[p] = p, LEAVING
         end
       end
       half = nextHalf[half]
@@ -93,13 +96,13 @@ end
 -- Wakes bodies that have a new neighbour. A kinematic body that stands is a wall, and need not wake
 -- for a dynamic neighbour.
 local function wakeLinked(b, count)
-  local ones, others, awake, kind = b.linkOne, b.linkOther, b.awake, b.kind
+  local ones, others, awakeAt, kind = b.linkOne, b.linkOther, b.awakeAt, b.kind
   for n = 1, count do
     local i, j = ones[n], others[n]
     local matters = kind[j] == DYNAMIC or kind[i] ~= DYNAMIC
-    if matters and not awake[j] and (awake[i] or kind[i] == STATIC) then
+    if matters and awakeAt[j] == 0 and (awakeAt[i] > 0 or kind[i] == STATIC) then
       islands.wake(b, j)
-    elseif kind[j] == STATIC and not awake[i] then
+    elseif kind[j] == STATIC and awakeAt[i] == 0 then
       islands.wake(b, i)
     end
   end
@@ -171,7 +174,7 @@ end
 local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, margin)
-  links.unlinkAll(b, b.parted, listParted(b, strays, count))
+  links.unlinkAll(b, b.linked, listParted(b, strays, count))
   linkNear(b, strays, askMovers(b, strays, count))
 end
 
@@ -217,12 +220,12 @@ local function unlink(b, i)
   for _, j, p in links.neighbours(b, i) do
     if filter.reason(b, i, j) then
       n = n + 1
-      b.parted[n] = p
+      b.linked[n] = p
       support[i] = support[i] == j and 0 or support[i]
       support[j] = support[j] == i and 0 or support[j]
     end
   end
-  links.unlinkAll(b, b.parted, n)
+  links.unlinkAll(b, b.linked, n)
 end
 
 --- Takes an object out of the pairs and the broad phase.
@@ -254,13 +257,13 @@ end
 --- step columns. They are listed anew only when a pair was made or ended, or a body woke or fell
 --- asleep. Pairs that are linked in the middle of a step are appended (`links.linkAll`).
 function pairFinder.listLive(b)
-  local live, pairA, pairB, awake, count = b.live, b.pairA, b.pairB, b.awake, 0
+  local live, pairA, pairB, awakeAt, count = b.live, b.pairA, b.pairB, b.awakeAt, 0
   local hit, pressed, passing, nudged = b.hit, b.pressed, b.passing, b.nudged
-  if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then
-    b.liveLinks, b.liveAwakenings = b.links, b.awakenings
+  if b.liveAwakenings ~= b.awakenings then
+    b.liveAwakenings = b.awakenings
     links.freeEnded(b)
     for p = 1, b.awakeCount > 0 and b.pairSlots or 0 do
-      if awake[pairA[p]] or awake[pairB[p]] then -- slot 0, that of a free pair, is not awake
+      if awakeAt[pairA[p]] + awakeAt[pairB[p]] > 0 then -- slot 0, that of a free pair, sleeps
         count = count + 1
         live[count] = p
       end

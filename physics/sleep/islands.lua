@@ -11,8 +11,8 @@
 -- its surroundings stay as they are, the next step would change no bit either, nor would any step
 -- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
 -- that do not move. `tellMotion` of objects/write.lua notes of each body whether the step has
--- changed it, or the next step may do so (`quiet`); `gather` asks all. Everything that could end
--- the fixed point wakes the whole island before it has an effect:
+-- changed it, or the next step may do so (`mustStayAwake`); `gather` asks all. Everything that could
+-- end the fixed point wakes the whole island before it has an effect:
 --
 -- - a field, mask or setting that the game wrote, a moved world, a restored state (objects/,
 -- state/);
@@ -39,25 +39,23 @@ islands.SHORTEST = 1 / 2000
 
 local function rouse(b, i)
   local n = b.awakeCount + 1
-  b.awakeCount, b.awakeList[n], b.awakeAt[i] = n, i, n
-  b.awake[i], b.quiet[i], b.awakenings = true, false, b.awakenings + 1
+  b.awakeCount, b.awakeList[n], b.awakeAt[i], b.awakenings = n, i, n, b.awakenings + 1
 end
 
 --- Wakes an object and, if it slept, its island: the sleeping dynamic neighbours of all that wake.
 --- The list of awake bodies is the queue of this flood fill.
 function islands.wake(b, i)
-  local list, kind, awake = b.awakeList, b.kind, b.awake
+  local list, kind, awakeAt = b.awakeList, b.kind, b.awakeAt
   if kind[i] == STATIC or not b.active[i] then
     return
   end
-  b.quiet[i] = false
   local n = b.awakeCount + 1
-  if not awake[i] then
+  if awakeAt[i] == 0 then
     rouse(b, i)
   end
   while n <= b.awakeCount do
     for _, j in neighbours(b, list[n]) do
-      if kind[j] == DYNAMIC and not awake[j] then
+      if kind[j] == DYNAMIC and awakeAt[j] == 0 then
         rouse(b, j)
       end
     end
@@ -81,31 +79,31 @@ end
 
 --- Takes an object out of the list of awake bodies.
 function islands.drop(b, i)
-  if i <= b.lastBody and b.awake[i] then
+  if i <= b.lastBody and b.awakeAt[i] > 0 then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
     b.awakeList[at], b.awakeAt[last] = last, at
-    b.awakeCount, b.awake[i], b.awakenings = b.awakeCount - 1, false, b.awakenings + 1
+    b.awakeAt[i], b.awakeCount, b.awakenings = 0, b.awakeCount - 1, b.awakenings + 1
   end
 end
 
--- Lists the island of an awake object in `b.island`. Returns its size, and whether all of its
+-- Lists the island of an awake object in `b.stack`. Returns its size, and whether all of its
 -- bodies are quiet. A kinematic neighbour, which is an island of its own, must be quiet, too.
 local function gather(b, i, stamp)
-  local island, kind, awake, quiet, mark = b.island, b.kind, b.awake, b.quiet, b.mark
-  local count, n, isQuiet = 1, 1, true
+  local island, kind, awakeAt, mark = b.stack, b.kind, b.awakeAt, b.mark
+  local count, n, isQuiet, isBusy = 1, 1, true, b.mustStayAwake
   island[1], mark[i] = i, stamp
   if kind[i] ~= DYNAMIC then
     return 1, true
   end
   while n <= count do
     local member = island[n]
-    isQuiet = isQuiet and quiet[member]
+    isQuiet = isQuiet and not isBusy[member]
     for _, j in neighbours(b, member) do
-      if kind[j] == DYNAMIC and awake[j] and mark[j] ~= stamp then
+      if kind[j] == DYNAMIC and awakeAt[j] > 0 and mark[j] ~= stamp then
         count, mark[j] = count + 1, stamp
         island[count] = j
-      elseif kind[j] ~= DYNAMIC and awake[j] then
-        isQuiet = isQuiet and quiet[j]
+      elseif kind[j] ~= DYNAMIC and awakeAt[j] > 0 then
+        isQuiet = isQuiet and not isBusy[j]
       end
     end
     n = n + 1
@@ -117,15 +115,15 @@ end
 --- others until they wake.
 function islands.settle(b, dt)
   b.stamp = b.stamp + 1
-  local stamp, list, quiet, mark = b.stamp, b.awakeList, b.quiet, b.mark
+  local stamp, list, isBusy, mark = b.stamp, b.awakeList, b.mustStayAwake, b.mark
   for n = dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
     local i = list[n]
     -- Sleeping bodies are dropped from the list, which may bring others to this place.
-    if i and n <= b.awakeCount and quiet[i] and mark[i] ~= stamp then
+    if i and n <= b.awakeCount and not isBusy[i] and mark[i] ~= stamp then
       local count, isQuiet = gather(b, i, stamp)
       for m = 1, isQuiet and count or 0 do
-        boxes.stand(b, b.island[m])
-        islands.drop(b, b.island[m])
+        boxes.stand(b, b.stack[m])
+        islands.drop(b, b.stack[m])
       end
     end
   end

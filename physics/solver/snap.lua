@@ -60,9 +60,9 @@ end
 -- Returns how low the ground may be for slot i at x1, if slot i has come along the ground from (x,
 -- height) and has dropped by at most `most` px at each edge.
 local function reach(b, i, axis, turn, x, x1, height, most)
-  local pieces = b.pieceCount
+  local pieces = b.walkWork.count
   local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, most)
-  b.pieceCount = pieces
+  b.walkWork.count = pieces
   return last + most
 end
 
