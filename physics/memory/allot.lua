@@ -15,18 +15,13 @@ local layout = require(root .. ".memory.layout")
 
 local allot = {}
 
-local floor, max, min, remove = math.floor, math.max, math.min, table.remove
+local floor, max, remove = math.floor, math.max, table.remove
 ---@type any, any
 local EVERY, BODY = layout.EVERY, layout.BODY
--- Slots are prepared ahead: for the objects that are coming, and so many more.
-local AHEAD = 32
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
 -- there is room for one in MORE of all of them on top. (The static bodies in the way must move:
 -- with half of them on top, one frame of a level of 20 000 tiles takes 9 ms.)
 local ROOM, MORE = 8, 16
--- Places in the first array of a column, and by how much one grows. An array has more places than
--- are needed now: else each frame in which a level gets a few slots more would copy all columns.
-local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
 -- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
 -- their counts. Nothing else may: all else asks `embody` for a slot that stays.
 local KEEPERS = { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored" }
@@ -48,7 +43,7 @@ function allot.reserve(b, rows, last)
   if last < old then
     return
   end
-  local count = floor(max(last * SPARE + 1, FIRST, GROWTH * old)) ---@type number
+  local count = arrays.places(old, last + 1)
   for n = 1, #rows.names do
     local name, width = rows.names[n], rows.widths[n]
     b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
@@ -60,16 +55,21 @@ end
 -- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
 -- take twice as long.)
 local function blank(b, rows, first, last)
-  if first > last then
-    return
-  end
-  allot.reserve(b, rows, last)
   for n = 1, #rows.names do
     local column, value, width = b[rows.names[n]], rows.values[n], rows.widths[n]
     local shift = width == 4 and 1 or 0 -- sides are 1 to 4
     for at = width * first + shift, width * (last + 1) + shift - 1 do
       column[at] = value
     end
+  end
+end
+
+-- Makes room in some columns for the slot `last`. Slots that are not in use have the first values.
+local function prepare(b, rows, last)
+  local old = b.reserved[rows]
+  if last >= old then
+    allot.reserve(b, rows, last)
+    blank(b, rows, old, b.reserved[rows] - 1)
   end
 end
 
@@ -84,7 +84,7 @@ end
 --- Returns the memory of a world in which there is nothing.
 function allot.new()
   local b = {}
-  initial(b)
+  initial.begin(b)
   add(b, layout.FIRST)
   return b
 end
@@ -93,19 +93,14 @@ end
 local function make(b)
   b.fatLow, b.fatHigh = nil, nil -- they become columns
   add(b, layout.OTHERS)
+  initial.addWork(b)
   for _, rows in ipairs({ EVERY, BODY, layout.PAIR, layout.LINKS }) do
     add(b, rows.names)
     b.reserved[rows] = 0
-    blank(b, rows, 0, 0)
+    prepare(b, rows, 0)
   end
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
   b.size[0], b.size[1] = -1, -1
-end
-
--- Gives the columns that each slot has their first values up to the slot `last`.
-local function prepare(b, last)
-  blank(b, EVERY, b.blankTo + 1, last)
-  b.blankTo = max(b.blankTo, last)
 end
 
 -- Takes a slot behind `lastBody`. (Of the free ones some may be in front of it by now.)
@@ -114,12 +109,10 @@ local function takePlace(b, coming)
   repeat
     i = remove(b.freePlaces)
   until not i or i > b.lastBody
-  if i then
-    blank(b, EVERY, i, i)
-  else
+  if not i then
     i = b.slots + 1
     b.slots = i
-    prepare(b, i > b.blankTo and max(i + coming - 1, min(2 * i, i + AHEAD)) or i)
+    prepare(b, EVERY, i + coming - 1)
   end
   return i
 end
@@ -127,17 +120,12 @@ end
 -- Takes a slot with all columns. There must be one.
 local function takeBody(b, coming)
   local i = remove(b.free)
-  local last = i
   if not i then
     i = b.lastUsed + 1
     b.lastUsed, b.slots = i, max(b.slots, i)
-    last = max(i + coming - 1, min(2 * i, i + AHEAD))
-    last = i > b.bodyBlankTo and min(last, b.lastBody) or i - 1
-    b.bodyBlankTo = max(b.bodyBlankTo, last)
-    b.blankTo = max(b.blankTo, last)
+    prepare(b, EVERY, i + coming - 1)
+    prepare(b, BODY, i + coming - 1)
   end
-  blank(b, EVERY, i, last)
-  blank(b, BODY, i, last)
   return i
 end
 
@@ -180,7 +168,8 @@ local function moveNoted(b)
       b.broadphase:remove(i)
       b.broadphase:insert(j)
     end
-    b.object[i], b.kind[i], movedTo[i], places[#places + 1] = false, 0, nil, i
+    blank(b, EVERY, i, i)
+    movedTo[i], places[#places + 1] = nil, i
   end
   b.leftCount = 0
 end
@@ -193,7 +182,7 @@ local function makeRoom(b, count)
   end
   b.lastBody = b.lastBody + max(count, ROOM, floor(b.lastBody / MORE))
   b.slots = max(b.slots, b.lastBody)
-  prepare(b, b.slots)
+  prepare(b, EVERY, b.slots)
   for i = first, b.lastBody do
     if b.object[i] and not b.movedTo[i] then
       note(b, i, takePlace(b, 1))
@@ -243,8 +232,7 @@ function allot.claim(b, isStatic, coming)
     return takeBody(b, coming)
   elseif b.lastBody == math.huge then
     b.lastBody, b.slots = b.lastUsed + ROOM, b.lastUsed + ROOM
-    b.bodyBlankTo = min(b.bodyBlankTo, b.lastBody)
-    prepare(b, b.lastBody)
+    prepare(b, EVERY, b.lastBody)
   end
   return takePlace(b, coming)
 end
@@ -259,7 +247,7 @@ function allot.release(b, i)
   local list = i > b.lastBody and b.freePlaces or b.free
   allot.clear(b, i)
   blank(b, EVERY, i, i)
-  b.strayAt[i] = 0 -- it may still be listed as moved: nothing is looked up for it
+  b.active[i] = false -- it may still be listed as moved: nothing is looked up for it
   b.count, list[#list + 1] = b.count - 1, i
 end
 

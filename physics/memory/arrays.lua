@@ -11,7 +11,7 @@
 
 local arrays = {}
 
-local floor = math.floor
+local floor, max = math.floor, math.max
 local jit = rawget(_G, "jit")
 local types = {} -- of the FFI
 -- The FFI, if there is one, and the compiler runs. Where there is no `jit`, it is not tried: on
@@ -21,17 +21,31 @@ local isKnown, ffi = not jit, nil
 -- Columns are written side by side. With lengths of 2^n they would compete for the same few lines
 -- of the cache (piles 9 % slower): each is longer by one place in so many.
 local SPREAD = 16
+-- Places in the first array of a column, and by how much one grows.
+local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
+
+-- Returns the FFI if columns are typed arrays.
+local function typed()
+  if not isKnown then
+    local hasFfi, module = pcall(require, "ffi")
+    isKnown, ffi = true, hasFfi and jit.status() and module
+  end
+  return ffi
+end
+
+--- Returns how many places a column gets that needs `count`: an array has more places than are
+--- needed now, else each frame in which a level gets a few slots more would copy all columns. A
+--- table grows by itself.
+function arrays.places(old, count)
+  return typed() and floor(max(count * SPARE + 1, FIRST, GROWTH * old)) or count
+end
 
 --- Returns a column with places for the slots 0 to `count` - 1 that begins as `column` does.
 ---@param kind string|false a type of C, false: it may hold anything
 ---@param column any has places for `old` slots; for none, it is an empty table
 ---@param width integer places of each slot; the last one of sides is behind them (they are 1 to 4)
 function arrays.grow(kind, column, width, old, count)
-  if not isKnown then
-    local hasFfi, module = pcall(require, "ffi")
-    isKnown, ffi = true, hasFfi and jit.status() and module
-  end
-  if not (ffi and kind) then
+  if not (typed() and kind) then
     return column
   end
   types[kind] = types[kind] or ffi.typeof(kind .. "[?]")

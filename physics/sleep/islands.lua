@@ -11,8 +11,8 @@
 -- its surroundings stay as they are, the next step would change no bit either, nor would any step
 -- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
 -- that do not move. `tellMotion` of objects/write.lua notes of each body whether the step has
--- changed it, or the next step may do so (`mustStayAwake`); `gather` asks all. Everything that could
--- end the fixed point wakes the whole island before it has an effect:
+-- changed it, or the next step may do so (`mustStayAwake`); `gather` asks all. Everything that
+-- could end the fixed point wakes the whole island before it has an effect:
 --
 -- - a field, mask or setting that the game wrote, a moved world, a restored state (objects/,
 -- state/);

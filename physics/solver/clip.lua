@@ -227,8 +227,8 @@ local function block(b, i, n)
   local across = t == 0 and nx[n] or ny[n]
   if across ~= 0 then
     local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
-    b.pressedSide[at], work.count = true, work.count + 1
-    work.blocked[work.count], work.slope[work.count] = at, wall[n]
+    b.pressedSide[at], b.blockedCount = true, b.blockedCount + 1
+    work.blocked[b.blockedCount], work.slope[b.blockedCount] = at, wall[n]
   end
 end
 

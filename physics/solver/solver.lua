@@ -135,7 +135,7 @@ end
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
   b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
-  b.clipWork.count = 0
+  b.blockedCount = 0
   begin(b)
   flow.begin(b)
   pairFinder.listLive(b)

@@ -231,6 +231,6 @@ describe("stamps", function()
     for _ = 1, 30 do
       world:update(1 / 60)
     end
-    assert.equal(1, b.pairCount)
+    assert.equal(1, world.stats.pairs)
   end)
 end)
