@@ -247,7 +247,6 @@ function allot.release(b, i)
   local list = i > b.lastBody and b.freePlaces or b.free
   allot.clear(b, i)
   blank(b, EVERY, i, i)
-  b.active[i] = false -- it may still be listed as moved: nothing is looked up for it
   b.count, list[#list + 1] = b.count - 1, i
 end
 

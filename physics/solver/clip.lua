@@ -228,7 +228,7 @@ local function block(b, i, n)
   if across ~= 0 then
     local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
     b.pressedSide[at], b.blockedCount = true, b.blockedCount + 1
-    work.blocked[b.blockedCount], work.slope[b.blockedCount] = at, wall[n]
+    work.blocked[b.blockedCount], work.blockedBy[b.blockedCount] = at, wall[n]
   end
 end
 
