@@ -14,7 +14,7 @@ local BUDGET = {
   { "physics/contacts", 384 },
   { "physics/fields", 659 },
   { "physics/maps", 2514 },
-  { "physics/memory", 862 },
+  { "physics/memory", 864 },
   { "physics/motion", 1055 },
   { "physics/narrowphase", 589 },
   { "physics/objects", 1281 },

@@ -239,7 +239,9 @@ end
 
 --- Gives the columns of bodies their first values: a body has got another kind.
 function allot.clear(b, i)
-  blank(b, BODY, i, i <= b.lastBody and i or i - 1)
+  if i <= b.lastBody then
+    blank(b, BODY, i, i)
+  end
 end
 
 --- Gives a slot back. Its pairs must have been unlinked.

@@ -110,7 +110,7 @@ local function settleLate(b, dt, isFirst)
   settle.again(b, 1 - b.downAxis, dt)
   b.mustSettle = false
   rounds.findChanged(b)
-  if b.hasSlopes then
+  if b.walks then
     walk.run(b, dt, isFirst)
     rounds.findChanged(b)
   end
@@ -139,7 +139,7 @@ local function prepare(b, dt)
   begin(b)
   flow.begin(b)
   pairFinder.listLive(b)
-  if b.hasSlopes then
+  if b.walks then
     walk.begin(b)
   end
   settleTouching(b, dt)
@@ -159,7 +159,7 @@ local function runRounds(b, dt, awakenings)
     elseif n == ROUNDS then
       return true
     end
-    if b.hasSlopes then
+    if b.walks then
       walk.run(b, dt, false)
     end
     settleLate(b, dt, false)
@@ -221,7 +221,7 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
-  for _ = 1, b.hasSlopes and CLIPS or 0 do
+  for _ = 1, b.walks and CLIPS or 0 do
     -- (If bodies have woken, the step begins anew: their contacts are not known yet.)
     if b.awakenings ~= awakenings or not clip.run(b, dt) then
       break
