@@ -83,7 +83,8 @@ local function newWork()
     now = { [0] = {}, {} }, -- by axis: velocity apart in a part of the step
     last = { [0] = {}, {} }, -- by axis: velocity that the last part has added to the drift, px/s
     drifted = {}, -- slots with a drift: b.driftedCount
-    speed = {}, -- by index: velocity at the end of the step without it
+    speed = {}, -- by index: velocity at the end of the step without it, and that of the carrier
+    carried = {},
   }
 end
 
@@ -288,31 +289,14 @@ function drift.run(b, dt)
   end
 end
 
---- Adds the drift to the free flight of all awake bodies.
-function drift.add(b, dt)
-  local awakeList, kind, softSpeed, displacement, speed =
-    b.awakeList, b.kind, b.softSpeed, b.displacement, b.speed
-  local without, carried = b.drifts.speed, b.carried
-  for n = 1, b.awakeCount do
-    local k = 2 * awakeList[n]
-    if kind[awakeList[n]] == DYNAMIC then
-      without[k], without[k + 1] = speed[k] + carried[k], speed[k + 1] + carried[k + 1]
-      displacement[k], displacement[k + 1] =
-        displacement[k] + softSpeed[k] * dt, displacement[k + 1] + softSpeed[k + 1] * dt
-      speed[k], speed[k + 1] = speed[k] + softSpeed[k], speed[k + 1] + softSpeed[k + 1]
-    end
-  end
-end
-
---- Gives the bodies that drift the velocity at which they start, drift included, and the
---- acceleration without it.
-function drift.start(b, dt)
+--- Lets the drift carry its bodies in this step, as a carrier does.
+function drift.add(b)
   local work = b.drifts
   for n = 1, b.driftedCount do
     local i = work.drifted[n]
     for k = 2 * i, 2 * i + 1 do
-      b.start[k] = b.freeSpeed[k] - (work.speed[k] - b.start[k])
-      b.accel[k] = (b.freeSpeed[k] - b.start[k]) / dt -- to the bit as friction computes it
+      work.speed[k], work.carried[k] = b.speed[k] + b.carried[k], b.carried[k]
+      b.carried[k] = b.carried[k] + b.softSpeed[k]
     end
   end
 end
@@ -327,6 +311,7 @@ function drift.takeOff(b)
     for k = 2 * i, 2 * i + 1 do
       local own, change = work.speed[k], b.speed[k] - b.freeSpeed[k]
       b.speed[k] = max(min(own, own + change), min(b.speed[k], max(own, own + change)))
+      b.carried[k] = work.carried[k]
     end
   end
 end
