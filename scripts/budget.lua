@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 629 },
   { "physics/contacts", 387 },
   { "physics/fields", 659 },
-  { "physics/maps", 2553 },
+  { "physics/maps", 2514 },
   { "physics/memory", 898 },
   { "physics/motion", 998 },
   { "physics/narrowphase", 586 },
