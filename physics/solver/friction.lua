@@ -168,11 +168,10 @@ end
 -- contacts rub, from the supports up.
 local function walk(b, list, held, dt, rubs)
   for sign = 1, -1, -2 do
-    local up, low, first, last = contacts.along(list, sign)
-    if rubs then
-      first, last = last, first
-    end
-    for c = first, last, rubs and -sign or sign do
+    local up, low = contacts.along(list, sign)
+    local way = rubs and -sign or sign
+    local _, _, first, last = contacts.along(list, way)
+    for c = first, last, way do
       local isBorne = list.bearing[c] == sign and b.bearer[up[c]] == c -- with all its load
       if isBorne and rubs then
         addContact(b, list, held, c, up[c], low[c], dt)
