@@ -42,7 +42,7 @@ local AXIS, APART, SLANTED = constants.AXIS, contacts.APART, contacts.SLANTED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
 local EPSILON = constants.EPSILON
 local neighbours = links.neighbours
-local isBox, isRound, BOX = shapes.isBox, shapes.isRound, shapes.BOX
+local isBox, isRound = shapes.isBox, shapes.isRound
 local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
@@ -78,10 +78,7 @@ end
 -- (`sign` 1) or back (-1).
 local function spread(b, list, sign)
   local room, walls, at = b.clipWork.room, b.clipWork.wall, sign > 0 and 1 or 2
-  local near, far, first, last = list.low, list.high, 1, list.count
-  if sign < 0 then
-    near, far, first, last = list.high, list.low, list.count, 1
-  end
+  local near, far, first, last = contacts.along(list, sign)
   for c = first, last, sign do
     local from, to = 2 * near[c] + at, 2 * far[c] + at
     local place = room[from] + sign * list.separation[c]
@@ -136,10 +133,9 @@ end
 -- px from box i at (x, y) to the nearest face of slot j, at moment t; its normal, and whether it is
 -- an edge.
 local function face(b, i, j, x, y, t)
-  local size, k, m, start = b.size, 2 * i, 2 * j, b.time[j]
-  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+  local m, start = 2 * j, b.time[j]
   local ox, oy = path.at(b, m, start, t), path.at(b, m + 1, start, t)
-  return shapes.face(BOX, x, y, w, h, b.shape[j], ox, oy, ow, oh, touch.axisOf(b, i, j))
+  return touch.face(b, i, j, x, y, ox, oy, b.size)
 end
 
 -- Whether slot j, of pair p, stops box i, and does not give way.
