@@ -90,7 +90,7 @@ function grid.new(b, cellSize, comparesAll)
     cells = {},
     ranges = {},
     querySlots = { 0 },
-    answers = {},
+    askers = {},
   }, grid)
   makeBuckets(self, FIRST_BUCKETS)
   for level = 0, LEVELS do
@@ -312,10 +312,10 @@ local function addAll(self, asker, askers, found, n)
 end
 
 --- Finds for each object in `list[1..count]` all objects with a fat box that meets its own, itself
---- included. Writes the object of the list into `askers` and the one that it meets into `found`.
---- Returns how many there are.
-function grid:overlaps(list, count, askers, found)
-  local ranges, cell, most = 0, self.cell, mostCells(self)
+--- included. Writes the one that it meets into `found`, and the object of the list into
+--- `self.askers`. Returns how many there are.
+function grid:overlaps(list, count, found)
+  local askers, ranges, cell, most = self.askers, 0, self.cell, mostCells(self)
   for level = 0, self.highest do
     if self.members[level] > 0 then
       ranges = addRanges(self, list, count, level, cell, most, ranges)
@@ -343,7 +343,7 @@ end
 function grid:query(left, top, right, bottom, out)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   fatLow[0], fatLow[1], fatHigh[0], fatHigh[1] = left, top, right, bottom
-  return (self:overlaps(self.querySlots, 1, self.answers, out))
+  return (self:overlaps(self.querySlots, 1, out))
 end
 
 grid.cellAt, grid.bucketOf, grid.mostCells, grid.contact = cellAt, bucketOf, mostCells, contact

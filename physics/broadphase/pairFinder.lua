@@ -40,7 +40,7 @@ pairFinder.REACH = 1.5
 -- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
 -- step has been told.
 local function listParted(b, strays, count)
-  local fatLow, fatHigh, other, nextHalf = b.fatLow, b.fatHigh, b.other, b.next
+  local fatLow, fatHigh, nextHalf, pairA, pairB = b.fatLow, b.fatHigh, b.next, b.pairA, b.pairB
   local parted, head, place, n = b.linked, b.head, b.place, 0
   strays[count + 1], head[0] = 0, 0
   local m, half = 1, head[strays[1]]
@@ -49,8 +49,8 @@ local function listParted(b, strays, count)
       m = m + 1
       half = head[strays[m]]
     else
-      if contact(fatLow, fatHigh, 2 * strays[m], 2 * other[half]) < 0 then
-        local p = floor(half * 0.5 + 0.5)
+      local p = floor(half * 0.5 + 0.5)
+      if contact(fatLow, fatHigh, 2 * pairA[p], 2 * pairB[p]) < 0 then
         local isNeeded = b.contact[p] ~= 0 or b.hit[p] ~= 0 or b.touches[p] ~= 0
         if not (isNeeded or b.overlapping[p] or place[p] == LEAVING) then
           n = n + 1
@@ -76,7 +76,8 @@ end
 -- Lists in b.linkOne and b.linkOther the found pairs that can meet and are no neighbours yet, each
 -- once: of two strays, the earlier one counts. Returns how many there are.
 local function listNew(b, count)
-  local askers, found, mark, strayAt, crowd = b.askers, b.found, b.mark, b.strayAt, b.crowd
+  local askers, found, mark, strayAt, crowd =
+    b.broadphase.askers, b.found, b.mark, b.strayAt, b.crowd
   local ones, others, asker, stamp, at, n = b.linkOne, b.linkOther, 0, 0, 0, 0
   for m = 1, count do
     local i, j = askers[m], found[m]
@@ -112,7 +113,7 @@ end
 -- meet at all. They are no strays any more.
 local function linkNear(b, strays, count)
   local strayAt = b.strayAt
-  local n = listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found))
+  local n = listNew(b, b.broadphase:overlaps(strays, count, b.found))
   for m = 1, count do
     strayAt[strays[m]] = huge
   end
