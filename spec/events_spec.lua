@@ -294,10 +294,7 @@ describe("onEnd is told exactly once", function()
 end)
 
 describe("onBegin", function()
-  row("may be set and taken away at any time, of a static object, too", {
-    FLOOR,
-    box({ restitution = 1 }),
-  }, {
+  row("may come and go at any time, of a static object, too", { FLOOR, box({ restitution = 1 }) }, {
     { "begins = 0", 0.5 },
     "function count() begins = begins + 1 end",
     { "box.raw.onBegin = count", 2, "begins > 0" },
@@ -329,10 +326,7 @@ describe("onBegin", function()
     assert.is_true(last.y > 200)
   end)
 
-  row("may put the velocity that it wants, and it counts from the next step on", {
-    FLOOR,
-    box({ y = 80 }),
-  }, {
+  row("may put a velocity, which counts from the next step on", { FLOOR, box({ y = 80 }) }, {
     "function box.raw.onBegin(self) self.vy = -400 end",
     { "highest = 100", { 2, keep = "highest = min(highest, box.y)" }, "highest ~ 84 - 100, 0.2" },
   })

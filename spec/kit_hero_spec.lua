@@ -186,36 +186,34 @@ local function randomKeys(seed)
   end
 end
 
-describe("examples/kit/hero.lua: everything at once", function()
-  it("owns gravity and its height in each mood, and the same state plays the same", function()
-    for seed = 1, 6 do
-      local player, seen = play(ALL, PLACE, "", 1)
-      local world, moods, replayed = seen.world, {}, randomKeys(seed * 1000)
-      local lift = world.objects.lifts[1]
-      local function step()
-        lift.vy = lift.y < 200 and 40 or lift.y > 380 and -40 or lift.vy
-        hero.update(world, player, replayed() or {}, DT)
-      end
-      kit.play(world, 400, function()
-        step()
-        local mood = player.hero.mood
-        local isFree = mood ~= "dash" and mood ~= "climb"
-        moods[mood] = true
-        assert.equal(isFree, player.gravity == nil, mood)
-        assert.equal(mood == "wall", player.maxFallSpeed == 60, mood)
-        assert.is_true(player.height == 40 or player.height == 20)
-        assert.is_true(player.x > -20.001 and player.x < 480.001 and player.y < 380.001)
-      end)
-      local state, hash = world:save(), nil
-      for _ = 1, 2 do
-        world:restore(state)
-        replayed = randomKeys(77)
-        kit.play(world, 60, step)
-        hash = hash or world:hash()
-      end
-      assert.equal(hash, world:hash())
-      assert.equal(0, seen.crushed)
-      assert.is_true(moods.ground and moods.air and moods.dash)
+it("examples/kit/hero.lua owns gravity and height in each mood; a state plays the same", function()
+  for seed = 1, 6 do
+    local player, seen = play(ALL, PLACE, "", 1)
+    local world, moods, replayed = seen.world, {}, randomKeys(seed * 1000)
+    local lift = world.objects.lifts[1]
+    local function step()
+      lift.vy = lift.y < 200 and 40 or lift.y > 380 and -40 or lift.vy
+      hero.update(world, player, replayed() or {}, DT)
     end
-  end)
+    kit.play(world, 400, function()
+      step()
+      local mood = player.hero.mood
+      local isFree = mood ~= "dash" and mood ~= "climb"
+      moods[mood] = true
+      assert.equal(isFree, player.gravity == nil, mood)
+      assert.equal(mood == "wall", player.maxFallSpeed == 60, mood)
+      assert.is_true(player.height == 40 or player.height == 20)
+      assert.is_true(player.x > -20.001 and player.x < 480.001 and player.y < 380.001)
+    end)
+    local state, hash = world:save(), nil
+    for _ = 1, 2 do
+      world:restore(state)
+      replayed = randomKeys(77)
+      kit.play(world, 60, step)
+      hash = hash or world:hash()
+    end
+    assert.equal(hash, world:hash())
+    assert.equal(0, seen.crushed)
+    assert.is_true(moods.ground and moods.air and moods.dash)
+  end
 end)

@@ -113,20 +113,17 @@ describe("examples/kit/lift.lua: a lift", function()
     assert.is_true(object.crushes >= 1)
   end)
 
-  it(
-    "sinks onto the ground beside a player, and does not stop for one below a one-way lift",
-    function()
-      local oneWay = { oneWay = "top" }
-      local world, platform, each = newLift({ { 0, 0 }, { 0, 84 } }, {}, {}, oneWay)
-      rider(world, 60, 360)
-      kit.play(world, 70, each)
-      assert.equal(384, platform.y)
-      world, platform, each = newLift({ { 0, 0 }, { 0, 84 } })
-      rider(world, 60, 360)
-      kit.play(world, 70, each)
-      assert.near(344, platform.y, 1.4) -- above its head
-    end
-  )
+  it("sinks onto the ground beside a player, not stopped by one below a one-way lift", function()
+    local oneWay = { oneWay = "top" }
+    local world, platform, each = newLift({ { 0, 0 }, { 0, 84 } }, {}, {}, oneWay)
+    rider(world, 60, 360)
+    kit.play(world, 70, each)
+    assert.equal(384, platform.y)
+    world, platform, each = newLift({ { 0, 0 }, { 0, 84 } })
+    rider(world, 60, 360)
+    kit.play(world, 70, each)
+    assert.near(344, platform.y, 1.4) -- above its head
+  end)
 
   it("refuses what is no path, and settings that do not exist", function()
     local one = "lift: a path has two points or more"

@@ -120,21 +120,19 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
   end)
 end)
 
-describe("nearest", function()
-  small.rows("answers: {1}", {
-    { "inside", 5, 5, 10, "1", 0 },
-    { "left of one", -3, 5, 10, "1", 3 },
-    { "off a corner", 83, 34, 10, "4", 5 },
-    { "equal ones, in order", 50, 15, 100, "2", 10 },
-    { "at the edge of the radius", -3, 5, 3, "1", 3 },
-    { "too far", -3, 5, 2.99, nil, nil },
-    { "far away", -3000, 0, 1e7, "1", 3000 },
-    { "no radius", 5, 5, 0, "1", 0 },
-  }, function(_, x, y, r, name, px)
-    local object, distance = four():nearest(x, y, r)
-    assert.are.equal(name, object and object.name)
-    assert.are.equal(px, distance)
-  end)
+small.rows("nearest answers: {1}", {
+  { "inside", 5, 5, 10, "1", 0 },
+  { "left of one", -3, 5, 10, "1", 3 },
+  { "off a corner", 83, 34, 10, "4", 5 },
+  { "equal ones, in order", 50, 15, 100, "2", 10 },
+  { "at the edge of the radius", -3, 5, 3, "1", 3 },
+  { "too far", -3, 5, 2.99, nil, nil },
+  { "far away", -3000, 0, 1e7, "1", 3000 },
+  { "no radius", 5, 5, 0, "1", 0 },
+}, function(_, x, y, r, name, px)
+  local object, distance = four():nearest(x, y, r)
+  assert.are.equal(name, object and object.name)
+  assert.are.equal(px, distance)
 end)
 
 describe("filter: it", function()
@@ -183,28 +181,26 @@ describe("filter: it", function()
   end)
 end)
 
-describe("world:touching", function()
-  it("answers with the side of the first", function()
-    local world = physics.newWorld({ gravity = 800 })
-    local floor = world:add("floor", tile(0, 100, 200, 20))
-    local object = world:add("a", box(0, 84))
-    local neighbour = world:add("a", box(16, 84))
-    local coin = world:add("coins", sized(4, 90, 8, 8, { sensor = true, static = true }))
-    local far = world:add("a", box(150, 84))
-    assert.is_nil(world:touching(object, floor))
-    world:update(1 / 60)
-    assert.are.equal("bottom", world:touching(object, floor))
-    assert.are.equal("top", world:touching(floor, object))
-    assert.is_nil(world:touching(object, neighbour))
-    assert.is_string(world:touching(object, coin))
-    world.sideBySide = true
-    assert.are.equal("right", world:touching(object, neighbour))
-    object.y = 50
-    assert.is_nil(world:touching(object, floor))
-    assert.is_nil(world:touching(object, object))
-    world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
-    assert.is_nil(world:touching(object, far))
-  end)
+it("world:touching answers with the side of the first", function()
+  local world = physics.newWorld({ gravity = 800 })
+  local floor = world:add("floor", tile(0, 100, 200, 20))
+  local object = world:add("a", box(0, 84))
+  local neighbour = world:add("a", box(16, 84))
+  local coin = world:add("coins", sized(4, 90, 8, 8, { sensor = true, static = true }))
+  local far = world:add("a", box(150, 84))
+  assert.is_nil(world:touching(object, floor))
+  world:update(1 / 60)
+  assert.are.equal("bottom", world:touching(object, floor))
+  assert.are.equal("top", world:touching(floor, object))
+  assert.is_nil(world:touching(object, neighbour))
+  assert.is_string(world:touching(object, coin))
+  world.sideBySide = true
+  assert.are.equal("right", world:touching(object, neighbour))
+  object.y = 50
+  assert.is_nil(world:touching(object, floor))
+  assert.is_nil(world:touching(object, object))
+  world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
+  assert.is_nil(world:touching(object, far))
 end)
 
 -- Velocities and room -------------------------------------------------------------------------
@@ -318,59 +314,54 @@ describe("world:fits", function()
   end)
 end)
 
-describe("querySegment: fractions", function()
-  it("are what raycast returns for each object, in the same order", function()
-    local world, fractions = four(), { { x = 1 }, 2, 3, 4, 5 }
-    for _, wanted in ipairs({ false, "c", isEven }) do
-      local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
-      assert.equal(count, #fractions)
-      for n = 1, count do
-        local fraction = select(
-          6,
-          world:raycast(-10, 12, 90, 17, function(object)
-            return object == list[n]
-          end)
-        )
-        assert.near(fraction, fractions[n], 1e-15)
-      end
+it("querySegment: fractions are what raycast returns for each object, in the same order", function()
+  local world, fractions = four(), { { x = 1 }, 2, 3, 4, 5 }
+  for _, wanted in ipairs({ false, "c", isEven }) do
+    local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
+    assert.equal(count, #fractions)
+    for n = 1, count do
+      local fraction = select(
+        6,
+        world:raycast(-10, 12, 90, 17, function(object)
+          return object == list[n]
+        end)
+      )
+      assert.near(fraction, fractions[n], 1e-15)
     end
-    small.refuses("fractions must be a table, got 3", function()
-      world:querySegment(0, 0, 9, 9, nil, nil, 3)
-    end)
+  end
+  small.refuses("fractions must be a table, got 3", function()
+    world:querySegment(0, 0, 9, 9, nil, nil, 3)
   end)
 end)
 
-describe("cast and castCircle", function()
-  it("meet what an object of that shape would meet that no mask names", function()
-    local random = require("spec.support.random").new(3)
-    for seed = 1, 60 do
-      local world = still()
-      for _ = 1, 12 do
-        local x, y = random:between(0, 200), random:between(0, 200)
-        local other = world:add("walls", tile(x, y, random:between(8, 40), random:between(8, 40)))
-        other.slope = seed % 3 == 0 and "left" or nil
-        other.oneWay = seed % 3 == 1 and "top" or nil
-        other.sensor = random:between(0, 1) < 0.1
-        world:refresh(other)
-      end
-      local size, dx, dy =
-        random:between(4, 20), random:between(-300, 300), random:between(-300, 300)
-      local me = world:add("me", sized(100, 100, size, size))
-      me.radius = seed % 2 == 0 and size / 2 or nil
-      local expected, found = { world:sweep(me, dx, dy) }
-      if me.radius then
-        local r = me.radius
-        found = { world:castCircle(100 + r, 100 + r, r, dx, dy, "walls") }
-        found[2], found[3] = found[2] and found[2] - r, found[3] and found[3] - r
-      else
-        found = { world:cast(100, 100, size, size, dx, dy, { "walls" }) }
-      end
-      assert.equal(expected[1], found[1])
-      for n = 2, #expected do
-        assert.near(expected[n], found[n], 1e-9)
-      end
+it("cast and castCircle meet what an object of that shape would meet that no mask names", function()
+  local random = require("spec.support.random").new(3)
+  for seed = 1, 60 do
+    local world = still()
+    for _ = 1, 12 do
+      local x, y = random:between(0, 200), random:between(0, 200)
+      local other = world:add("walls", tile(x, y, random:between(8, 40), random:between(8, 40)))
+      other.slope = seed % 3 == 0 and "left" or nil
+      other.oneWay = seed % 3 == 1 and "top" or nil
+      other.sensor = random:between(0, 1) < 0.1
+      world:refresh(other)
     end
-  end)
+    local size, dx, dy = random:between(4, 20), random:between(-300, 300), random:between(-300, 300)
+    local me = world:add("me", sized(100, 100, size, size))
+    me.radius = seed % 2 == 0 and size / 2 or nil
+    local expected, found = { world:sweep(me, dx, dy) }
+    if me.radius then
+      local r = me.radius
+      found = { world:castCircle(100 + r, 100 + r, r, dx, dy, "walls") }
+      found[2], found[3] = found[2] and found[2] - r, found[3] and found[3] - r
+    else
+      found = { world:cast(100, 100, size, size, dx, dy, { "walls" }) }
+    end
+    assert.equal(expected[1], found[1])
+    for n = 2, #expected do
+      assert.near(expected[n], found[n], 1e-9)
+    end
+  end
 end)
 
 describe("freePlace", function()
@@ -418,10 +409,7 @@ describe("freePlace", function()
     { "where it is", { tile(0, 100, 99, 20), CLOUD, WATER }, { 0, 90 }, { 0, 90 } },
     { "on the floor", { tile(0, 100, 99, 20) }, { 40, 93 }, { 40, 90 } },
     { "above, of two as near", { tile(40, 40, 10, 10) }, { 40, 40 }, { 40, 30 } },
-    {
-      "on the left, of two as near",
-      { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) },
-    },
+    { "on the left, of two near", { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) } },
     { "in a corner", { tile(0, 50, 99, 9), tile(50, 0, 9, 99) }, { 44, 45 }, { 40, 40 } },
     { "on a slope", { tile(0, 0, 100, 100, { slope = "left" }) }, { 50, 45 }, { 52.5, 42.5 } },
     { "beside a ball", { tile(0, 0, 40, 40, { radius = 20 }) }, { 15, -5 }, { 15, -10 } },

@@ -472,45 +472,42 @@ local function restoreGame(self, one, state)
   return withFiles(self, one.world.restore, one.world, state)
 end
 
-describe(
-  "world:restore, a journey through rooms that are dug, with a shift now and then",
-  function()
-    -- Saves after some steps. Then goes on, goes back and goes on again; so do others, from the
-    -- text of the state: one that has just begun, and one with a past of its own.
-    local function check(seed)
-      local rooms = newRooms(seed)
-      local one = newGame(rooms)
-      local at = 20 + seed * 37 % 200
-      local function play(world)
-        return playSteps(rooms, world, at + 1, at + 80)
-      end
-      playSteps(rooms, one, 1, at)
-      local state, hash = one.world:save(), one.world:hash()
-      local text, straight = states.write(state), play(one)
-      restoreGame(rooms, one, state)
-      assert.equal(hash, one.world:hash(), seed)
-      assert.same(straight, play(one), seed)
-      for n = 1, 2 do
-        local other = newGame(rooms)
-        if n == 2 then
-          playSteps(rooms, other, 300, 350)
-        end
-        restoreGame(rooms, other, states.read(text))
-        assert.equal(hash, other.world:hash(), seed)
-        assert.same(straight, play(other), seed)
-      end
+describe("world:restore, a journey through rooms that are dug, with shifts", function()
+  -- Saves after some steps. Then goes on, goes back and goes on again; so do others, from the
+  -- text of the state: one that has just begun, and one with a past of its own.
+  local function check(seed)
+    local rooms = newRooms(seed)
+    local one = newGame(rooms)
+    local at = 20 + seed * 37 % 200
+    local function play(world)
+      return playSteps(rooms, world, at + 1, at + 80)
     end
-
-    for seed = 1, 3 do
-      it("gives the same bits, seed " .. seed, function()
-        check(seed)
-      end)
-    end
-
-    it("gives the same bits, 100 seeds #slow", function()
-      for seed = 4, 103 do
-        check(seed)
+    playSteps(rooms, one, 1, at)
+    local state, hash = one.world:save(), one.world:hash()
+    local text, straight = states.write(state), play(one)
+    restoreGame(rooms, one, state)
+    assert.equal(hash, one.world:hash(), seed)
+    assert.same(straight, play(one), seed)
+    for n = 1, 2 do
+      local other = newGame(rooms)
+      if n == 2 then
+        playSteps(rooms, other, 300, 350)
       end
+      restoreGame(rooms, other, states.read(text))
+      assert.equal(hash, other.world:hash(), seed)
+      assert.same(straight, play(other), seed)
+    end
+  end
+
+  for seed = 1, 3 do
+    it("gives the same bits, seed " .. seed, function()
+      check(seed)
     end)
   end
-)
+
+  it("gives the same bits, 100 seeds #slow", function()
+    for seed = 4, 103 do
+      check(seed)
+    end
+  end)
+end)
