@@ -12,7 +12,8 @@ for _, list in ipairs({ "objects", "area", "settings" }) do
   local names = {}
   for _, row in ipairs(fields[list]) do
     local name, type = row.name, row.type
-    it("the row of " .. name .. " in " .. list .. " is well formed", function()
+    local title = (list == "area" and "area." or "") .. name
+    it(title .. ": its row of " .. list .. " is well formed", function()
       assert.is_nil(names[name])
       names[name] = true
       assert.matches("^[%u`].+%.$", row.meaning)

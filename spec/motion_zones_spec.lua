@@ -25,7 +25,7 @@ local INSIDE = body({ y = 200 })
 
 describe("area: a zone", function()
   -- Inside from the beginning: 1 s under a constant acceleration, exact at every rate.
-  play.row("area.gravity, gravityX, ax and ay act on what is in it: {what}", RATES, function(v)
+  play.row("area.gravity, area.gravityX, area.ax and area.ay act: {what}", RATES, function(v)
     return { zone(v.area), INSIDE }
   end, { 1, "body at 180 + dx, 200 + dy, 1e-9" }, {
     "what, area, dx, dy",
