@@ -187,9 +187,7 @@ describe("queryRect and the others", function()
     local object = world:add("a", sized(10, 80, 20, 20, { active = false }))
     world:queryRect(0, 0, 200, 200)
     world.masks = { a = { b = false } }
-    for _ = 1, 5 do
-      world:update(1 / 60)
-    end
+    small.run(world, 5)
     assert.are.equal(80, object.y)
   end)
 

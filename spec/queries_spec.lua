@@ -151,13 +151,10 @@ describe("filter: it", function()
     local function isAlone(object)
       world:nearest(500, 5, 1000)
       world:raycast(500, 5, -500, 5)
-      return 0
-        == select(
-          2,
-          world:overlapping(object, function(other)
-            return other ~= object
-          end)
-        )
+      local function isOther(other)
+        return other ~= object
+      end
+      return select(2, world:overlapping(object, isOther)) == 0
     end
     assert.are.equal("4", names(world:queryRect(-10, -10, 100, 100, isAlone)))
     local hit, x = world:raycast(-10, 15, 100, 15, isAlone)
@@ -259,12 +256,12 @@ end)
 describe("world:fits", function()
   local function newScene()
     local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
-    world:add("tiles", { x = 50, y = 60, width = 50, height = 10, static = true })
-    world:add("ledges", { x = 150, y = 60, width = 50, height = 8, static = true, oneWay = "top" })
-    world:add("water", { x = 0, y = 0, width = 200, height = 100, static = true, sensor = true })
-    world:add("crates", { x = 110, y = 84, width = 16, height = 16 })
-    local one = world:add("men", { x = 60, y = 82, width = 16, height = 18 })
+    world:add("tiles", tile(0, 100, 200, 16))
+    world:add("tiles", tile(50, 60, 50, 10))
+    world:add("ledges", tile(150, 60, 50, 8, { oneWay = "top" }))
+    world:add("water", tile(0, 0, 200, 100, { sensor = true }))
+    world:add("crates", box(110, 84))
+    local one = world:add("men", sized(60, 82, 16, 18))
     world:update(1 / 60)
     return world, one
   end
@@ -293,12 +290,16 @@ describe("world:fits", function()
     end))
     world.objects.crates[1].active = false
     assert.is_true(world:fits(110, 80, 16, 20))
-    assert.has_error(
-      function()
-        world:fits(110, 80, 16, 20, false)
-      end,
-      "physics: world:fits(x, y, width, height): filter must be a group name, a list of them or a"
-        .. " function, got false"
+    local words = "filter must be a group name, a list of them or a function, got false"
+    small.refuses(
+      "world:fits(x, y, width, height): " .. words,
+      world.fits,
+      world,
+      1,
+      8,
+      6,
+      2,
+      false
     )
   end)
 
@@ -320,18 +321,16 @@ it("querySegment: fractions are what raycast returns for each object, in the sam
     local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
     assert.equal(count, #fractions)
     for n = 1, count do
-      local fraction = select(
-        6,
+      local hit = {
         world:raycast(-10, 12, 90, 17, function(object)
           return object == list[n]
-        end)
-      )
-      assert.near(fraction, fractions[n], 1e-15)
+        end),
+      }
+      assert.near(hit[6], fractions[n], 1e-15)
     end
   end
-  small.refuses("fractions must be a table, got 3", function()
-    world:querySegment(0, 0, 9, 9, nil, nil, 3)
-  end)
+  local words = "fractions must be a table, got 3"
+  small.refuses(words, world.querySegment, world, 0, 0, 9, 9, nil, nil, 3)
 end)
 
 it("cast and castCircle meet what an object of that shape would meet that no mask names", function()
@@ -440,11 +439,10 @@ describe("freePlace", function()
     assert.same({ 2, -16 }, { world:freePlace(2, 0, 16, 16, 99) })
     assert.same({ 2, 0 }, { world:freePlace(2, 0, 16, 16, 99, "lamps") })
     assert.same({ 16, 1 }, { world:freePlace(2, 1, 16, 16, 99, asker) })
-    assert.same({ 2, 1 }, {
-      world:freePlace(2, 1, 16, 16, 99, function()
-        return false
-      end),
-    })
+    local function isNothing()
+      return false
+    end
+    assert.same({ 2, 1 }, { world:freePlace(2, 1, 16, 16, 99, isNothing) })
     assert.is_nil((world:freePlace(2, 0, 16, 16, 15)))
   end)
 end)

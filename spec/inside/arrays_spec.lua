@@ -157,9 +157,7 @@ local function tell(library)
   local world, log = library.newWorld({ gravity = 800 }), {}
   local function wall(name, x, y, w, h, fields)
     local object = { x = x, y = y, width = w, height = h, static = true }
-    for key, value in pairs(fields or {}) do
-      object[key] = value
-    end
+    small.set(object, fields)
     return world:add(name, object)
   end
   wall("block", 0, 0, 200, 200)
@@ -224,8 +222,6 @@ it("stamps go on beyond 2^31, which bullets reach in a day", function()
   world:update(1 / 60)
   local b = world._bodies
   b.stamp, b.solveStamp, b.roundStamp, b.dirtyStamp = 2 ^ 31, 2 ^ 31, 2 ^ 31, 2 ^ 31
-  for _ = 1, 30 do
-    world:update(1 / 60)
-  end
+  small.run(world, 30)
   assert.equal(1, b.pairCount)
 end)

@@ -51,20 +51,14 @@ end)
 -- Sizes that no binary fraction hits.
 local function pile(shiftX, shiftY)
   local world = physics.newWorld({ gravity = 800 })
-  local floor = { x = shiftX - 200, y = shiftY + 200, width = 600, height = 20, static = true }
-  world:add("floor", floor)
+  local floor = world:add("floor", small.tile(shiftX - 200, shiftY + 200, 600, 20))
   local boxes = {}
   for i = 0, 19 do
-    boxes[#boxes + 1] = world:add("boxes", {
-      x = shiftX + 10.1 * (i % 5) * 2 + i / 7,
-      y = shiftY + 150 - 23.3 * math.floor(i / 5),
-      width = 20 / 3 + i / 3,
-      height = 10.1 + i / 9,
-      friction = 0.5,
-      restitution = i % 3 == 0 and 0.4 or 0,
-    })
+    local x, y = shiftX + 10.1 * (i % 5) * 2 + i / 7, shiftY + 150 - 23.3 * math.floor(i / 5)
+    local fields = { friction = 0.5, restitution = i % 3 == 0 and 0.4 or 0 }
+    boxes[i + 1] = world:add("boxes", small.put(x, y, 20 / 3 + i / 3, 10.1 + i / 9, fields))
   end
-  boxes[#boxes + 1] = floor
+  boxes[21] = floor
   return world, boxes
 end
 

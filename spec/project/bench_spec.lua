@@ -135,9 +135,7 @@ local function newScene(more)
       world:step(1 / 60)
     end,
   }
-  for field, value in pairs(more or {}) do
-    scene[field] = value
-  end
+  small.set(scene, more)
   return scene
 end
 

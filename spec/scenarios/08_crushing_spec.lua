@@ -359,8 +359,6 @@ it("onCrush: names two objects of the world where only one side of an object is 
       assert.not_equal(object, other)
     end
   end
-  for _ = 1, 40 do
-    world:update(1 / 60)
-  end
+  small.run(world, 40)
   assert.is_true(told > 2)
 end)

@@ -220,7 +220,10 @@ describe("pushable = false: a boss and what is inside it", function()
     end
   end)
 
-  row("part, and a player of {width} x {height}, mass {mass}, moves", FEW, function(v)
+  row(
+    "part, and a player of {width} x {height}, mass {mass}, moves",
+    FEW,
+    function(v)
       return { GROUND, BOSS, player("player", v.x, v.y, v.width, v.height, { mass = v.mass }) }
     end,
     PARTED,

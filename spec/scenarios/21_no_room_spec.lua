@@ -355,9 +355,7 @@ describe("broadphase and rest: what has no room", function()
     for _, list in ipairs({ description, more }) do
       for _, entry in ipairs(list) do
         local object = {}
-        for field, value in pairs(entry[2]) do
-          object[field] = value
-        end
+        small.set(object, entry[2])
         objects[#objects + 1] = world:add(entry[1], object)
         object.vx = object.kinematic and 60 or nil
       end

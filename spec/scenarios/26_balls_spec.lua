@@ -284,9 +284,7 @@ describe("radius and pushable: a ball that cannot be pushed", function()
       local world = physics.newWorld({ gravity = 0 })
       local one = { x = 0, y = 110, width = 60, height = 60, radius = 30, pushable = pushable }
       local copy = {}
-      for name, value in pairs(wall) do
-        copy[name] = value
-      end
+      small.set(copy, wall)
       world:add("walls", copy)
       world:add("bosses", one)
       for _ = 1, 180 do
