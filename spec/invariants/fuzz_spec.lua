@@ -184,38 +184,36 @@ describe("the checks of bounds", function()
   end)
 end)
 
-describe("a case that fails", function()
-  it("is made small, as long as it fails", function()
-    -- It "fails" if an object wider than 5 px is removed after an update.
-    local function run(given)
-      local isUpdated, isWide = false, {}
-      for at, act in ipairs(given.acts) do
-        isUpdated = isUpdated or act[1] == "update"
-        if act[1] == "add" then
-          isWide[act[2]] = act[4].width > 5
-        elseif act[1] == "remove" and isUpdated and isWide[act[2]] then
-          return { check = "made up", at = at }
-        end
+it("a case that fails is made small, as long as it fails", function()
+  -- It "fails" if an object wider than 5 px is removed after an update.
+  local function run(given)
+    local isUpdated, isWide = false, {}
+    for at, act in ipairs(given.acts) do
+      isUpdated = isUpdated or act[1] == "update"
+      if act[1] == "add" then
+        isWide[act[2]] = act[4].width > 5
+      elseif act[1] == "remove" and isUpdated and isWide[act[2]] then
+        return { check = "made up", at = at }
       end
     end
-    local acts = {}
-    for id = 1, 20 do
-      acts[#acts + 1] =
-        { "add", id, "boxes", { x = id / 3, y = 0, width = id / 2, height = 7, mass = 2 } }
-      acts[#acts + 1] = { "update", 0.1 }
-      acts[#acts + 1] = { "remove", id }
-    end
-    local one = { settings = { gravity = 3, push = "first" }, acts = acts }
-    local short, failure = shrink.run(one, run(one), 10, run)
-    assert.same({ { "add", "update", "remove" }, {} }, {
-      { short.acts[1][1], short.acts[2][1], short.acts[3][1] },
-      short.settings,
-    })
-    assert.equal(3, #short.acts)
-    assert.equal(3, failure.at)
-    assert.is_nil(short.acts[1][4].mass)
-    assert.is_true(short.acts[1][4].width > 5)
-  end)
+  end
+  local acts = {}
+  for id = 1, 20 do
+    acts[#acts + 1] =
+      { "add", id, "boxes", { x = id / 3, y = 0, width = id / 2, height = 7, mass = 2 } }
+    acts[#acts + 1] = { "update", 0.1 }
+    acts[#acts + 1] = { "remove", id }
+  end
+  local one = { settings = { gravity = 3, push = "first" }, acts = acts }
+  local short, failure = shrink.run(one, run(one), 10, run)
+  assert.same({ { "add", "update", "remove" }, {} }, {
+    { short.acts[1][1], short.acts[2][1], short.acts[3][1] },
+    short.settings,
+  })
+  assert.equal(3, #short.acts)
+  assert.equal(3, failure.at)
+  assert.is_nil(short.acts[1][4].mass)
+  assert.is_true(short.acts[1][4].width > 5)
 end)
 
 -- Seeds that have failed once: balls that a hit left in each other, or that waited for others; a
@@ -228,20 +226,13 @@ local FOUND = {
   arena = { 3, 14, 1, 2 },
 }
 -- Frames, where others play 300.
-local LENGTH = {
-  breakout = 480,
-  survivors = effort.isWhole and 300 or 100,
-  arena = 210,
-}
+local LENGTH = { breakout = 480, survivors = effort.isWhole and 300 or 100, arena = 210 }
 
 -- 2000 of each: `make games GAMES=2000`.
 describe("games of the kinds that are made show nothing that a player would notice:", function()
   local function expectClean(kind, seed, frames)
     local failure = games.play(kind, seed, frames, true)
-    assert(
-      not failure,
-      failure and ("seed %d, frame %d: %s"):format(seed, failure.at, failure.text)
-    )
+    assert(not failure, failure and ("seed %d, step %d: %s"):format(seed, failure.at, failure.text))
   end
 
   for _, kind in ipairs(games.kinds) do
