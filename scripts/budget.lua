@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 631 },
   { "physics/contacts", 384 },
   { "physics/fields", 659 },
-  { "physics/maps", 2494 },
+  { "physics/maps", 2486 },
   { "physics/memory", 861 },
   { "physics/motion", 999 },
   { "physics/narrowphase", 581 },
