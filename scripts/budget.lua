@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 629 },
   { "physics/contacts", 387 },
   { "physics/fields", 659 },
-  { "physics/maps", 2486 },
+  { "physics/maps", 2481 },
   { "physics/memory", 897 },
   { "physics/motion", 998 },
   { "physics/narrowphase", 586 },
