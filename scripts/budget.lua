@@ -12,19 +12,19 @@ local BUDGET = {
   { "physics.lua", 86 },
   { "physics/broadphase", 629 },
   { "physics/contacts", 387 },
-  { "physics/fields", 659 },
+  { "physics/fields", 686 },
   { "physics/maps", 2598 },
   { "physics/memory", 898 },
   { "physics/motion", 1053 },
   { "physics/narrowphase", 595 },
-  { "physics/objects", 1279 },
+  { "physics/objects", 1289 },
   { "physics/overlaps", 825 },
-  { "physics/queries", 986 },
+  { "physics/queries", 983 },
   { "physics/sleep", 85 },
   { "physics/solver", 3509 },
   { "physics/space", 499 },
   { "physics/state", 1066 },
-  { "physics/world", 1437 },
+  { "physics/world", 1371 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
