@@ -14,17 +14,17 @@ local BUDGET = {
   { "physics/contacts", 387 },
   { "physics/fields", 686 },
   { "physics/maps", 2494 },
-  { "physics/memory", 898 },
+  { "physics/memory", 897 },
   { "physics/motion", 1053 },
   { "physics/narrowphase", 595 },
-  { "physics/objects", 1289 },
+  { "physics/objects", 1296 },
   { "physics/overlaps", 825 },
-  { "physics/queries", 983 },
+  { "physics/queries", 985 },
   { "physics/sleep", 85 },
   { "physics/solver", 3509 },
   { "physics/space", 499 },
   { "physics/state", 1054 },
-  { "physics/world", 1371 },
+  { "physics/world", 1365 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
