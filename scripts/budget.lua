@@ -9,22 +9,22 @@ package.path = "./?.lua;" .. package.path
 local files = require("spec.support.files")
 
 local BUDGET = {
-  { "physics.lua", 86 },
+  { "physics.lua", 83 },
   { "physics/broadphase", 629 },
   { "physics/contacts", 387 },
   { "physics/fields", 686 },
   { "physics/maps", 2598 },
-  { "physics/memory", 897 },
+  { "physics/memory", 898 },
   { "physics/motion", 1053 },
   { "physics/narrowphase", 595 },
-  { "physics/objects", 1296 },
+  { "physics/objects", 1290 },
   { "physics/overlaps", 825 },
-  { "physics/queries", 985 },
+  { "physics/queries", 982 },
   { "physics/sleep", 85 },
   { "physics/solver", 3509 },
   { "physics/space", 499 },
   { "physics/state", 1066 },
-  { "physics/world", 1365 },
+  { "physics/world", 1364 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
