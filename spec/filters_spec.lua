@@ -35,16 +35,14 @@ local function shoot(fields, settings)
 end
 
 describe("hits", function()
-  for _, given in ipairs({
+  small.rows("lets an object collide with {1} only", {
     { "one group", { "players" }, { "players" } },
     { "two groups, in any order", { "gems", "walls" }, { "walls" } },
     { "a group that is not there", { "ghosts" }, {} },
     { "no group", {}, {} },
-  }) do
-    it("lets an object collide with " .. given[1] .. " only", function()
-      assert.same(given[3], (shoot({ hits = given[2] })))
-    end)
-  end
+  }, function(_, hits, met)
+    assert.same(met, (shoot({ hits = hits })))
+  end)
 
   it("lets a sensor report these groups only", function()
     assert.same({ "enemies", "gems" }, (shoot({ hits = { "gems", "enemies" }, sensor = true })))
@@ -148,14 +146,7 @@ describe("sensor", function()
     { "no static sensor", {}, 100, { sensor = true, static = true, vx = 0 }, 0, 0 },
     { "a sensor that moves", {}, 0, { sensor = true, vx = 600 }, 1, 1 },
     { "what is kinematic", {}, 0, { kinematic = true, vx = 600 }, 1, 1 },
-    {
-      "when it is kinematic",
-      { static = false, kinematic = true, vx = 600 },
-      200,
-      { vx = 0 },
-      1,
-      1,
-    },
+    { "when kinematic", { static = false, kinematic = true, vx = 600 }, 200, { vx = 0 }, 1, 1 },
     { "when it is dynamic", { static = false, vx = 600 }, 200, { vx = 0 }, 1, 1 },
     { "nothing that its mask refuses", { mask = { boxes = false } }, 0, { vx = 600 }, 0, 0 },
     { "nothing with a mask against it", {}, 0, { vx = 600, mask = { sensors = false } }, 0, 0 },

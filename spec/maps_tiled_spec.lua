@@ -69,22 +69,19 @@ describe("world:loadTiled, layers", function()
   expected = expected:format("a") .. "; " .. expected:format("b")
   tiled.row("of a map of hexagons", map({ a, b }, nil, { orientation = "hexagonal" }), expected)
 
-  it(
-    "may be empty groups, are added behind what is there, and share nothing with the map",
-    function()
-      local world, mask = physics.newWorld(), { players = false }
-      local first = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
-      local given = things({ box(0), box(9) }, { properties = { mask = mask } })
-      given.layers[2] = tiled.objects(2, "empty", {})
-      local before = tiled.copy(given)
-      local level = world:loadTiled(given, { kinds = { things = "dynamic" } })
-      local one, other = level.objects[1], level.objects[2]
-      assert.same({ first, one, other }, world.objects.things)
-      assert.same({ {}, false }, { world.objects.empty, one.touching.bottom })
-      one.mask.players = true
-      assert.same({ false, before }, { other.mask.players, given })
-    end
-  )
+  it("may be empty, are added behind what is there, and share nothing with the map", function()
+    local world, mask = physics.newWorld(), { players = false }
+    local first = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
+    local given = things({ box(0), box(9) }, { properties = { mask = mask } })
+    given.layers[2] = tiled.objects(2, "empty", {})
+    local before = tiled.copy(given)
+    local level = world:loadTiled(given, { kinds = { things = "dynamic" } })
+    local one, other = level.objects[1], level.objects[2]
+    assert.same({ first, one, other }, world.objects.things)
+    assert.same({ {}, false }, { world.objects.empty, one.touching.bottom })
+    one.mask.players = true
+    assert.same({ false, before }, { other.mask.players, given })
+  end)
 
   it("of an infinite map are parts in any order, which merge", function()
     local given = tiled.infinite()
@@ -334,7 +331,7 @@ describe("world:loadTiled, words", function()
     assert.same({}, load(things({ box(0, { solid = "false" }) })).objects)
   end)
 
-  for _, row in ipairs({
+  small.rows("that cannot be are named, unless they are the game's own: {3}", {
     { "drag", "true", 'drag must be a number >= 0, got "true"' },
     { "friction", "-1", "friction must be a number >= 0, got -1" },
     { "friction", 0 / 0, "friction must be a number >= 0, got nan" },
@@ -343,22 +340,20 @@ describe("world:loadTiled, words", function()
     { "solid", 2, "solid must be true or false, got 2" },
     { "group", true, "group must be a string or a number, got true" },
     { "mask", { players = "no" }, 'mask.players must be true or false, got "no"' },
-  }) do
-    it("that cannot be are named, unless they are the game's own: " .. row[3], function()
-      local given = things({ box(7, { [row[1]] = row[2], lives = 3 }) })
-      local level = load(given)
-      assert.same({ 3, nil }, { level.objects[1].lives, rawget(level.objects[1], row[1]) })
-      local entry = level.unsupported[1]
-      assert.same(
-        { "object", "things", 7, row[3] },
-        { entry.kind, entry.layer, entry.id, entry.reason }
-      )
-      assert.equal(given.layers[1].objects[1], entry.object)
-      small.refuses('layer "things", object 7: ' .. row[3], load, given, { strict = true })
-      level = load(given, { ignore = { row[1] }, strict = true })
-      assert.equal(row[1] .. ": left out, by the option ignore", level.unsupported[1].reason)
-    end)
-  end
+  }, function(name, value, words)
+    local given = things({ box(7, { [name] = value, lives = 3 }) })
+    local level = load(given)
+    assert.same({ 3, nil }, { level.objects[1].lives, rawget(level.objects[1], name) })
+    local entry = level.unsupported[1]
+    assert.same(
+      { "object", "things", 7, words },
+      { entry.kind, entry.layer, entry.id, entry.reason }
+    )
+    assert.equal(given.layers[1].objects[1], entry.object)
+    small.refuses('layer "things", object 7: ' .. words, load, given, { strict = true })
+    level = load(given, { ignore = { name }, strict = true })
+    assert.equal(name .. ": left out, by the option ignore", level.unsupported[1].reason)
+  end)
 
   it("of layers, tiles and shapes, too, with their ids", function()
     local tiles = {
