@@ -23,14 +23,14 @@ compiler.INTERPRETED = {
   ["fields.check"] = "firstBad isEmpty",
   ["maps.cells"] = "clear waiting",
   ["maps.recall"] = "place snapshotOf save begin find finish",
-  ["maps.properties"] = "put read saysThatItMoves isEmpty",
+  ["maps.properties"] = "put read decide isEmpty",
   ["maps.tiled.tileset"] = "index",
   ["memory.compiler"] = "eachExport listNew load",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
   ["fields.forms"] = "isSame copy",
   ["objects.groups"] = "sortedKeys hasOthers haveChanged",
-  ["objects.registry"] = "find",
+  ["objects.registry"] = "find search",
   ["queries.move"] = "finish",
   ["state.format"] = "isPlain",
   ["state.older"] = "read objectsOf",
@@ -38,7 +38,6 @@ compiler.INTERPRETED = {
   ["state.validate"] = "needMaps",
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",
-  ["world.class"] = "search",
 }
 
 local exported = {} -- functions that modules give to others, while it works
