@@ -161,9 +161,7 @@ local function tell(library, visit)
     return 0
   end
   local function wall(name, x, y, w, h, fields)
-    local object = { x = x, y = y, width = w, height = h, static = true }
-    small.set(object, fields)
-    return world:add(name, object)
+    return world:add(name, small.tile(x, y, w, h, fields))
   end
   wall("block", 0, 0, 200, 200)
   wall("above", 0, -100, 200, 100)
