@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 825 },
   { "physics/queries", 982 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3445 },
+  { "physics/solver", 3444 },
   { "physics/space", 500 },
   { "physics/state", 1051 },
   { "physics/world", 1365 },
