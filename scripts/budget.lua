@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 825 },
   { "physics/queries", 985 },
   { "physics/sleep", 85 },
-  { "physics/solver", 3447 },
+  { "physics/solver", 3445 },
   { "physics/space", 500 },
   { "physics/state", 1054 },
   { "physics/world", 1365 },
