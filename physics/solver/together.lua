@@ -163,7 +163,7 @@ function together.run(b, n)
         path.fly(b, 2 * i + 1, list.vy[i], b.accel[2 * i + 1], tau)
       end
       b.deflectedAt[i], b.mustStayAwake[i] = b.solveStamp, true
-      b.impactsOf[i] = b.impactsOf[i] + 1
+      b.impactAt[i] = b.solveStamp
     end
     b.resolved = b.resolved + 1
   end
