@@ -150,21 +150,25 @@ describe("strength", function()
     return pushed, player.x - x
   end
 
-  for _, count in ipairs({ 40, 100 }) do
-    it("keeps a player where it stands among " .. count .. ", and lets it walk out", function()
+  small.rows(
+    "keeps a player where it stands among {1}, and lets it walk out",
+    { 40, 100 },
+    function(count)
       local pushed, out = walkOut({ strength = 1, mass = 10 }, count, 3)
       assert.near(0, pushed, 0.5)
       assert.is_true(out > 120 and out < 299)
-    end)
-  end
+    end
+  )
 
   -- (It stood in each step in which the rounds ran out: 23 px in 2 s.)
-  for _, every in ipairs({ 1, 2 }) do
-    it(("lets it walk out of a crowd in which one of %d is a circle"):format(every), function()
+  small.rows(
+    "lets it walk out of a crowd in which one of {1} is a circle",
+    { 1, 2 },
+    function(every)
       local _, out = walkOut({ strength = 1, mass = 10 }, 36, 3, nil, every)
       assert.is_true(out > 260, out)
-    end)
-  end
+    end
+  )
 
   -- The table of docs/topdown.md. (10 px: how the crowd lies changes with every version.)
   it("gets as far through a crowd as the page says #slow", function()

@@ -95,7 +95,7 @@ describe("draw", function()
   local RIM = "10 20 16 1|10 35 16 1|10 21 1 14|25 21 1 14"
 
   -- One object of 16 x 16 px at 10, 20 with these fields, options, and what is drawn.
-  for _, row in ipairs({
+  small.rows("draws {1}", {
     { "a box with a border", {}, nil, BOTH },
     { "more of a thin one than its border", { height = 2 }, nil, "10 20 16 2|10.5 20.5 15 1" },
     { "a circle", { radius = 8 }, nil, "fill 10 20 16 16 8|fill 11 21 14 14 7" },
@@ -138,18 +138,16 @@ describe("draw", function()
       BOTH .. "|polygon fill 18 29 28 29 28 27 18 27|26 26 4 4",
     },
     { "none where there is none", {}, { velocity = true }, BOTH },
-  }) do
-    it("draws " .. row[1], function()
-      local object = small.put(10, 20, 16, 16, row[2])
-      if SIDES[object.touching] == false then
-        object.touching = { top = false, bottom = false, left = false, right = false }
-        object.touching[row[2].touching] = {}
-      end
-      object.static = row[2].oneWay and true or object.static
-      drawn({ boxes = { object } }, row[3])
-      assert.equal(row[4], table.concat(shapes(calls), "|"))
-    end)
-  end
+  }, function(_, fields, options, expected)
+    local object = small.put(10, 20, 16, 16, fields)
+    if SIDES[object.touching] == false then
+      object.touching = { top = false, bottom = false, left = false, right = false }
+      object.touching[fields.touching] = {}
+    end
+    object.static = fields.oneWay and true or object.static
+    drawn({ boxes = { object } }, options)
+    assert.equal(expected, table.concat(shapes(calls), "|"))
+  end)
 
   it("draws the border darker, and what stands directly in objects", function()
     drawn({ player = box({ x = 10, y = 20 }) })
@@ -250,19 +248,17 @@ describe("draw", function()
   end)
 
   local ALL = "the options are alpha, counters, fill, grid, names, oneWay, touching, velocity"
-  for _, row in ipairs({
+  small.rows("refuses: {2}", {
     { { filll = true }, 'unknown option "filll" (did you mean "fill"?); ' .. ALL },
     { { "fill" }, "unknown option 1; " .. ALL },
     { { fill = 1 }, "fill must be true or false, got 1" },
     { { alpha = 2 }, "alpha must be a number in 0..1, got 2" },
     { 7, "options must be a table, got 7" },
     { nil, "draw needs love.graphics" },
-  }) do
-    it("refuses: " .. row[2], function()
-      if row[1] == nil then
-        rawset(_G, "love", nil)
-      end
-      small.refuses(row[2], physics.draw, row[1])
-    end)
-  end
+  }, function(options, words)
+    if options == nil then
+      rawset(_G, "love", nil)
+    end
+    small.refuses(words, physics.draw, options)
+  end)
 end)

@@ -62,7 +62,7 @@ describe("every function: the line that an error names", function()
   end)
 
   -- where check.lua is, which file of the library is called, which file of the game calls
-  for _, row in ipairs({
+  small.rows("is the game's in {1} #files", {
     { "the folder of the game", CHECK, "physics.lua", "main.lua" },
     { "a folder for libraries", "lib/" .. CHECK, "lib/physics.lua", "main.lua" },
     { "a folder with init.lua", "lib/" .. CHECK, "lib/physics/init.lua", "main.lua" },
@@ -75,11 +75,9 @@ describe("every function: the line that an error names", function()
     { "one joined file", "lib/physics.lua", "lib/physics.lua", "lib/main.lua" },
     { "a folder like another", CHECK, "physics.lua", "physics-game/a.lua" },
     { "a folder like a file", CHECK, "physics.lua", "physics2.lua" },
-  }) do
-    it("is the game's in " .. row[1] .. " #files", function()
-      assert.equal(row[4] .. ":2: physics: oops", saidIn(row[2], { row[4], row[3] }))
-    end)
-  end
+  }, function(_, place, library, game)
+    assert.equal(game .. ":2: physics: oops", saidIn(place, { game, library }))
+  end)
 
   it("is that of a callback which misuses the library #files", function()
     local chain = { "main.lua", "physics/contacts/events.lua", "callback.lua", "physics.lua" }
@@ -123,7 +121,7 @@ describe("every function: an error", function()
     end
   end)
 
-  for _, row in ipairs({
+  small.rows("names the place {3}", {
     { "boxes", 3.0, "objects.boxes[3]" },
     { "boxes", 1.5, "objects.boxes[1.5]" },
     { "enemies", "spike", "objects.enemies.spike" },
@@ -131,18 +129,16 @@ describe("every function: an error", function()
     { "my group", 1, 'objects["my group"][1]' },
     { "end", "2nd", 'objects["end"]["2nd"]' },
     { -1, "a", "objects[-1].a" },
-  }) do
-    it("names the place " .. row[3], function()
-      local world, bad = physics.newWorld(), object({ mass = 0 })
-      world.objects[row[1]] = row[2] == nil and bad or { [row[2]] = bad }
-      refuses(row[3] .. ".mass must be a number > 0, got 0", function()
-        world:update(0)
-      end)
+  }, function(group, key, place)
+    local world, bad = physics.newWorld(), object({ mass = 0 })
+    world.objects[group] = key == nil and bad or { [key] = bad }
+    refuses(place .. ".mass must be a number > 0, got 0", function()
+      world:update(0)
     end)
-  end
+  end)
 
   -- what is wrong, and what the message says behind the place
-  for _, row in ipairs({
+  small.rows("of an object says: {2}", {
     { { x = 1e101 }, ".x must be a number in -1e+100..1e+100, got 1e+101" },
     { { drag = 1e101 }, ".drag must be a number in 0..1e+100, got 1e+101" },
     { { width = 1e101 }, ".width must be a number > 0 and <= 1e+100, got 1e+101" },
@@ -155,13 +151,11 @@ describe("every function: an error", function()
       { slope = "left" },
       '.slope must be nil for a dynamic object (set static = true or kinematic = true), got "left"',
     },
-  }) do
-    it("of an object says: " .. row[2], function()
-      refuses("objects.boxes[1]" .. row[2], function()
-        physics.newWorld():add("boxes", object(row[1]))
-      end)
+  }, function(fields, words)
+    refuses("objects.boxes[1]" .. words, function()
+      physics.newWorld():add("boxes", object(fields))
     end)
-  end
+  end)
 
   it("is raised for what is inherited from a class, not for fields of the game", function()
     local Box = { width = 10, height = 10, friction = 0.5 }
@@ -179,7 +173,7 @@ end)
 -- Settings ----------------------------------------------------------------------------------------
 
 describe("newWorld(settings)", function()
-  for _, row in ipairs({
+  small.rows("refuses: {2}", {
     { 800, "settings must be a table, got 800" },
     { { soft = { a = { b = -1 } } }, "soft.a.b must be a number in 0..1000000, got -1" },
     { { soft = { a = { b = true } } }, "soft.a.b must be a number in 0..1000000, got true" },
@@ -190,13 +184,11 @@ describe("newWorld(settings)", function()
     { { masks = { a = { b = "no" } } }, 'masks.a.b must be true or false, got "no"' },
     { { masks = { [1] = { ["my b"] = 0 } } }, 'masks[1]["my b"] must be true or false, got 0' },
     { { masks = { [print] = {} } }, "masks must have group names as keys, got function" },
-  }) do
-    it("refuses: " .. row[2], function()
-      refuses("newWorld(settings): " .. row[2], function()
-        physics.newWorld(row[1])
-      end)
+  }, function(settings, words)
+    refuses("newWorld(settings): " .. words, function()
+      physics.newWorld(settings)
     end)
-  end
+  end)
 
   local ALL = "; the settings are gravity, gravityX, push, masks, soft, sideBySide, broadphase,"
     .. " cellSize, timestep, maxStep, order, ownFields, rest, checked, profile, onStep, onBegin,"
@@ -247,18 +239,16 @@ describe("add: a group", function()
     end)
   end)
 
-  for _, row in ipairs({
+  small.rows("filter refuses: {2}", {
     { true, " must be a group name, a list of them or a function, got true" },
     { NAN, " must be a group name, a list of them or a function, got nan" },
     { { "boxes", {} }, "[2] must be a group name, got table" },
-  }) do
-    it("filter refuses: " .. row[2], function()
-      local world = physics.newWorld()
-      refuses("world:queryPoint(x, y): filter" .. row[2], function()
-        world:queryPoint(0, 0, row[1])
-      end)
+  }, function(filter, words)
+    local world = physics.newWorld()
+    refuses("world:queryPoint(x, y): filter" .. words, function()
+      world:queryPoint(0, 0, filter)
     end)
-  end
+  end)
 end)
 
 -- Steps and calls ---------------------------------------------------------------------------------
@@ -273,7 +263,7 @@ describe("world:update, save and hash", function()
   local key = " has a key that is no finite number or string, got "
   local member = object()
   -- what is said of these objects, beside a box
-  for _, row in ipairs({
+  small.rows("refuses: {1}; nothing has entered", {
     { "objects must be a table of groups, got 7", 7 },
     { "objects.coins must be a group (a table of objects) or an object, got 5", { coins = 5 } },
     { "objects" .. key .. "true", { [true] = {} } },
@@ -289,32 +279,28 @@ describe("world:update, save and hash", function()
       "objects.boxes[2].mass must be a number > 0, got 0",
       { boxes = { member, object({ mass = 0 }) } },
     },
-  }) do
-    it("refuses: " .. row[1] .. "; nothing has entered", function()
-      local world = physics.newWorld({ order = { "boxes" } })
-      world.objects, member.touching = row[2], nil
-      for _, call in ipairs({ "update", "save", "hash" }) do
-        refuses(row[1], function()
-          world[call](world, call == "update" and 1 / 60 or nil)
-        end)
-      end
-      assert.is_nil(member.touching)
-    end)
-  end
+  }, function(words, objects)
+    local world = physics.newWorld({ order = { "boxes" } })
+    world.objects, member.touching = objects, nil
+    for _, call in ipairs({ "update", "save", "hash" }) do
+      refuses(words, function()
+        world[call](world, call == "update" and 1 / 60 or nil)
+      end)
+    end
+    assert.is_nil(member.touching)
+  end)
 end)
 
 describe("world:update", function()
-  for _, row in ipairs({
+  small.rows("refuses dt that is not {2}", {
     { "0.1", 'a number >= 0, got "0.1"' },
     { -1, "a number >= 0, got -1" },
     { INF, "a finite number >= 0, got inf" },
-  }) do
-    it("refuses dt that is not " .. row[2], function()
-      refuses("world:update(dt): dt must be " .. row[2], function()
-        physics.update(row[1])
-      end)
+  }, function(dt, words)
+    refuses("world:update(dt): dt must be " .. words, function()
+      physics.update(dt)
     end)
-  end
+  end)
 
   it("refuses masks that were spoiled in place", function()
     local world = physics.newWorld({ masks = { boxes = { gates = false } } })
@@ -324,8 +310,10 @@ describe("world:update", function()
     end)
   end)
 
-  for _, name in ipairs({ "onBegin", "onEnd" }) do
-    it("refuses a bad " .. name .. " when it would be called, and loses no event", function()
+  small.rows(
+    "refuses a bad {1} when it would be called, and loses no event",
+    { "onBegin", "onEnd" },
+    function(name)
       local world, told = physics.newWorld({ gravity = 0 }), { count = 0 }
       local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
       local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
@@ -343,8 +331,8 @@ describe("world:update", function()
       box[name] = nil
       world:update(1 / 60)
       assert.equal(1, told.count)
-    end)
-  end
+    end
+  )
 end)
 
 local ADD = "world:add(group, object): "
@@ -354,7 +342,7 @@ describe("every function: a call", function()
   local BOX, PLAYER, CRATE, NEW = "box", "player", "crate", "new" -- stand for objects of the world
   local group = "group must be a string or a number, got "
   -- what is said, the method, its arguments
-  for _, row in ipairs({
+  small.rows("says: {1}", {
     { ADD .. group .. "nil", "add", nil, object() },
     { ADD .. group .. "table", "add", {}, object() },
     { ADD .. group .. "nan", "add", NAN, object() },
@@ -369,23 +357,21 @@ describe("every function: a call", function()
     { "world:interpolate(object): object must be a table, got nil", "interpolate" },
     { "world:refresh(object): " .. NO_WORLD, "refresh", object() },
     { "objects.crate.mass must be a number > 0, got 0", "refresh", CRATE },
-  }) do
-    it("says: " .. row[1], function()
-      local world = physics.newWorld()
-      local objects = world.objects
-      local named = { [BOX] = world:add("boxes", object()), [PLAYER] = object() }
-      objects.player = named[PLAYER]
-      world:update(1 / 60)
-      named[CRATE], objects.coins = object({ mass = 0 }), 5
-      named[NEW] = world:add("new", object()) -- no update has read it
-      objects.crate = named[CRATE]
-      refuses(row[1], function()
-        local first = row[2] ~= "add" and named[row[3]] or row[3]
-        world[row[2]](world, first, named[row[4]] or row[4], row[5])
-      end)
-      assert.same({ 1, false }, { #objects.boxes, objects.crates or false })
+  }, function(words, method, given, second, third)
+    local world = physics.newWorld()
+    local objects = world.objects
+    local named = { [BOX] = world:add("boxes", object()), [PLAYER] = object() }
+    objects.player = named[PLAYER]
+    world:update(1 / 60)
+    named[CRATE], objects.coins = object({ mass = 0 }), 5
+    named[NEW] = world:add("new", object()) -- no update has read it
+    objects.crate = named[CRATE]
+    refuses(words, function()
+      local first = method ~= "add" and named[given] or given
+      world[method](world, first, named[second] or second, third)
     end)
-  end
+    assert.same({ 1, false }, { #objects.boxes, objects.crates or false })
+  end)
 
   it("says which field is missing from an object in place of a group", function()
     local world = physics.newWorld()

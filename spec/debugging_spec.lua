@@ -312,7 +312,7 @@ end)
 
 describe("explain", function()
   local NAMES = "objects.a[1] and objects.b[1] "
-  for _, row in ipairs({
+  small.rows("says: {3}", {
     { { x = 30 }, {}, "can collide: now they are 20 px apart." },
     { { x = 4, y = 20 }, {}, "can collide: now they are 10 px apart." },
     { { x = 10 }, {}, "can collide: now they are flush at the right of objects.a[1]." },
@@ -330,16 +330,14 @@ describe("explain", function()
     { { oneWay = "top" }, {}, "objects.b[1] is solid only at its top" },
     { { oneWay = true }, {}, "objects.b[1] is solid only at its top" },
     { { canCollide = function() end }, {}, "canCollide of objects.b[1] may refuse" },
-  }) do
-    it("says: " .. row[3], function()
-      local world = physics.newWorld({ gravity = 0 })
-      local a = world:add("a", sized(0, 0, 10, 10, row[2]))
-      local b = world:add("b", sized(0, 0, 10, 10, row[1]))
-      local sentence = world:explain(a, b)
-      assert.is_truthy(sentence:find(NAMES, 1, true), sentence)
-      assert.is_truthy(sentence:find(row[3], 1, true), sentence)
-    end)
-  end
+  }, function(its, mine, words)
+    local world = physics.newWorld({ gravity = 0 })
+    local a = world:add("a", sized(0, 0, 10, 10, mine))
+    local b = world:add("b", sized(0, 0, 10, 10, its))
+    local sentence = world:explain(a, b)
+    assert.is_truthy(sentence:find(NAMES, 1, true), sentence)
+    assert.is_truthy(sentence:find(words, 1, true), sentence)
+  end)
 
   it("says which object is not there, what the world's masks and its canCollide do", function()
     local world = physics.newWorld({ gravity = 0, masks = { a = { b = false } } })

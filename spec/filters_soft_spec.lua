@@ -112,7 +112,7 @@ describe("soft: objects", function()
     assert.is_nil((world:sweep(a, 300, 0)))
   end)
 
-  for _, row in ipairs({
+  small.rows("share the drift {1}", {
     { "by their masses", { mass = 3 }, {}, 0.25, 0.75 },
     { "with one that is not pushable", { pushable = false }, {}, 0, 1 },
     { "with one that is kinematic", { kinematic = true }, {}, 0, 1 },
@@ -123,16 +123,14 @@ describe("soft: objects", function()
       0,
       0,
     },
-  }) do
-    it("share the drift " .. row[1], function()
-      local world, a, b = pair(row[2], row[3])
-      run(world, 30)
-      local left, right = 100 - a.x, b.x - 110
-      local whole = row[4] + row[5]
-      assert.near(row[4] * (left + right), left * whole, 1e-6)
-      assert.equal(whole > 0, left + right > 5)
-    end)
-  end
+  }, function(_, one, other, first, second)
+    local world, a, b = pair(one, other)
+    run(world, 30)
+    local left, right = 100 - a.x, b.x - 110
+    local whole = first + second
+    assert.near(first * (left + right), left * whole, 1e-6)
+    assert.equal(whole > 0, left + right > 5)
+  end)
 
   it("part also if they are at one place, the same in every world", function()
     local places = {}

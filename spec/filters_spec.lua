@@ -35,16 +35,14 @@ local function shoot(fields, settings)
 end
 
 describe("hits", function()
-  for _, given in ipairs({
+  small.rows("lets an object collide with {1} only", {
     { "one group", { "players" }, { "players" } },
     { "two groups, in any order", { "gems", "walls" }, { "walls" } },
     { "a group that is not there", { "ghosts" }, {} },
     { "no group", {}, {} },
-  }) do
-    it("lets an object collide with " .. given[1] .. " only", function()
-      assert.same(given[3], (shoot({ hits = given[2] })))
-    end)
-  end
+  }, function(_, hits, met)
+    assert.same(met, (shoot({ hits = hits })))
+  end)
 
   it("lets a sensor report these groups only", function()
     assert.same({ "enemies", "gems" }, (shoot({ hits = { "gems", "enemies" }, sensor = true })))

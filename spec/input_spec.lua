@@ -1,5 +1,6 @@
 --- Keys, gamepad and touch: the code of docs/guide/input.md makes one direction and one jump of it.
 
+local small = require("spec.support.small")
 local snippets = require("spec.support.snippets")
 
 local CODE = snippets.read("docs/guide/input.md"):match("\n```lua\n(.-)\n```\n")
@@ -22,7 +23,7 @@ describe("vx and vy: by the devices of docs/guide/input.md", function()
     game.love.joystickadded(pad)
   end)
 
-  for _, row in ipairs({
+  small.rows("it walks: keys [{1}], stick {2}", {
     -- keys that are held, the stick; vx
     { "", 0, 0 },
     { "right", 0, 200 },
@@ -33,16 +34,14 @@ describe("vx and vy: by the devices of docs/guide/input.md", function()
     { "", 0.19, 0 }, -- the dead zone
     { "right", -0.5, -100 },
     { "left", 0.19, -200 },
-  }) do
-    it(("it walks: keys [%s], stick %g"):format(row[1], row[2]), function()
-      for key in row[1]:gmatch("%a+") do
-        held[key] = true
-      end
-      stick = row[2]
-      game.love.update(1 / 60)
-      assert.equal(row[3], player.vx)
-    end)
-  end
+  }, function(keys, axis, vx)
+    for key in keys:gmatch("%a+") do
+      held[key] = true
+    end
+    stick = axis
+    game.love.update(1 / 60)
+    assert.equal(vx, player.vx)
+  end)
 
   for _, row in ipairs({
     -- the callback, what is pressed; whether it jumps

@@ -2,6 +2,7 @@
 
 local hero = require("examples.kit.hero")
 local kit = require("spec.support.kit")
+local small = require("spec.support.small")
 
 local DT = 1 / 60
 
@@ -279,15 +280,13 @@ local function check(expected, found, what)
 end
 
 describe("examples/kit/hero.lua: a hero", function()
-  for _, row in ipairs(ROWS) do
-    it(row[1], function()
-      local player, seen = play(row[2], row[3], row[4], row[5], row[7])
-      for name, expected in pairs(row[6]) do
-        check(expected, player[name] or seen[name], name)
-      end
-      assert.equal(0, seen.crushed)
-    end)
-  end
+  small.rows("{1}", ROWS, function(_, settings, objects, keys, frames, expected, start)
+    local player, seen = play(settings, objects, keys, frames, start)
+    for name, value in pairs(expected) do
+      check(value, player[name] or seen[name], name)
+    end
+    assert.equal(0, seen.crushed)
+  end)
 
   it("refuses a setting that does not exist", function()
     assert.has_error(function()

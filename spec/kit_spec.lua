@@ -6,6 +6,7 @@ local crumble = require("examples.kit.crumble")
 local enemy = require("examples.kit.enemy")
 local kit = require("spec.support.kit")
 local lift = require("examples.kit.lift")
+local small = require("spec.support.small")
 
 local DT = 1 / 60
 
@@ -220,14 +221,12 @@ describe("examples/kit/enemy.lua: an enemy", function()
     },
     { "below the floor", {}, { 150, 340 }, nil, false },
   }
-  for _, row in ipairs(SIGHTS) do
-    it("looks at a player " .. row[1], function()
-      local player = { x = row[3][1], y = row[3][2], width = 20, height = 30, gravity = 0 }
-      local world, _, seen, each = newEnemy(row[2], { LEDGE, row[4] }, player)
-      kit.play(world, 1, each)
-      assert.equal(row[5], seen.sees)
-    end)
-  end
+  small.rows("looks at a player {1}", SIGHTS, function(_, settings, at, wall, isSeen)
+    local player = { x = at[1], y = at[2], width = 20, height = 30, gravity = 0 }
+    local world, _, seen, each = newEnemy(settings, { LEDGE, wall }, player)
+    kit.play(world, 1, each)
+    assert.equal(isSeen, seen.sees)
+  end)
 
   it("chases a player up to the edge, and for a while when it is hidden", function()
     local player = { x = 30, y = 270, width = 20, height = 30, gravity = 0, pushable = false }
@@ -395,15 +394,13 @@ describe("examples/kit/bullet.lua: a bullet", function()
     { "pierces nothing behind a wall", { pierce = 9, x = 425, vx = -20000 }, { 3, 3 }, { 400 } },
     { "ends with its life", { life = 0.05 }, { 3, 3 }, {} },
   }
-  for _, row in ipairs(ROWS) do
-    it(row[1], function()
-      local world, enemies, each = newGame(row[2])
-      kit.play(world, 40, each)
-      assert.same(row[3], { enemies[1].health, enemies[2].health })
-      assert.same(row[4], hits)
-      assert.equal(0, #world.objects.bullets)
-    end)
-  end
+  small.rows("{1}", ROWS, function(_, fields, health, expected)
+    local world, enemies, each = newGame(fields)
+    kit.play(world, 40, each)
+    assert.same(health, { enemies[1].health, enemies[2].health })
+    assert.same(expected, hits)
+    assert.equal(0, #world.objects.bullets)
+  end)
 
   it("in the air is part of a saved state, also in a new world", function()
     local world, enemies, each = newGame()

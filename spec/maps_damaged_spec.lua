@@ -5,6 +5,7 @@ local effort = require("spec.support.effort")
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
 local random = require("spec.support.random")
+local small = require("spec.support.small")
 local tiled = require("spec.support.tiled")
 
 local NAN, INF = 0 / 0, 1 / 0
@@ -60,37 +61,35 @@ local function tryTiles(level)
 end
 
 describe("loadTiled and loadLDtk: a damaged map", function()
-  for _, kind in ipairs({ "Tiled", "LDtk" }) do
-    it("of " .. kind .. " is loaded or refused, and never half", function()
-      local loaded, refused = 0, 0
-      for seed = 1, effort.share(300, 100) do
-        local generator = random.new(seed * 31)
-        local n = generator:integer(1, 4)
-        local map = n == 4 and tiled.sti(MAPS[2]) or tiled.copy(MAPS[n])
-        map = kind == "LDtk" and ldtk.cave() or map
-        local options = { strict = generator:chance(0.2) }
-        damage(map, generator)
-        local world = physics.newWorld()
-        world.objects.player = { x = 0, y = 0, width = 5, height = 5 }
-        local isDone, level = pcall(function()
-          if kind == "LDtk" then
-            return (world:loadLDtk(map, nil, options))
-          end
-          return (world:loadTiled(map, options))
-        end)
-        if isDone then
-          loaded = loaded + 1
-          world:update(1 / 60)
-          tryTiles(level)
-          world:update(1 / 60)
-        else
-          refused = refused + 1
-          assert.truthy(level:find("maps_damaged_spec.lua:%d+: physics: "), seed .. ": " .. level)
-          assert.equal("player", next(world.objects))
-          assert.is_nil(next(world.objects, "player"))
+  small.rows("of {1} is loaded or refused, and never half", { "Tiled", "LDtk" }, function(kind)
+    local loaded, refused = 0, 0
+    for seed = 1, effort.share(300, 100) do
+      local generator = random.new(seed * 31)
+      local n = generator:integer(1, 4)
+      local map = n == 4 and tiled.sti(MAPS[2]) or tiled.copy(MAPS[n])
+      map = kind == "LDtk" and ldtk.cave() or map
+      local options = { strict = generator:chance(0.2) }
+      damage(map, generator)
+      local world = physics.newWorld()
+      world.objects.player = { x = 0, y = 0, width = 5, height = 5 }
+      local isDone, level = pcall(function()
+        if kind == "LDtk" then
+          return (world:loadLDtk(map, nil, options))
         end
+        return (world:loadTiled(map, options))
+      end)
+      if isDone then
+        loaded = loaded + 1
+        world:update(1 / 60)
+        tryTiles(level)
+        world:update(1 / 60)
+      else
+        refused = refused + 1
+        assert.truthy(level:find("maps_damaged_spec.lua:%d+: physics: "), seed .. ": " .. level)
+        assert.equal("player", next(world.objects))
+        assert.is_nil(next(world.objects, "player"))
       end
-      assert.is_true(loaded > 10 and refused > 10)
-    end)
-  end
+    end
+    assert.is_true(loaded > 10 and refused > 10)
+  end)
 end)

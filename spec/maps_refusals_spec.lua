@@ -60,7 +60,7 @@ local function put(target, path, value)
 end
 
 describe("world:loadTiled refuses", function()
-  for _, row in ipairs({
+  small.rows("{2}", {
     { nil, "map must be a Tiled map or the path of one, got nil" },
     { 5, "map must be a Tiled map or the path of one, got 5" },
     { { tilecount = 5 }, "this is a tileset, not a map: load the map that uses it" },
@@ -74,17 +74,15 @@ describe("world:loadTiled refuses", function()
     { ldtk.cave(), "map.layers must be a table, got nil" },
     { "none.lua", 'cannot read "none.lua": …' },
     { { type = "world" }, "a world needs the option folder: where its maps are" },
-  }) do
-    it(row[2], function()
-      refuses(row[2], "loadTiled", row[1])
-    end)
-  end
+  }, function(given, words)
+    refuses(words, "loadTiled", given)
+  end)
 
   -- Where a map is damaged, by what, and what is said.
   local C, G = 'layer "things", object 6 "crate": ', 'layer "ground": '
   local tile, data =
     G .. "the cell at column 1, row 0 must be a gid, got ", "layers.2.layers.1.data"
-  for _, row in ipairs({
+  small.rows("{3}", {
     { "tilewidth", -1, "map.tilewidth must be a number >= 0, got -1" },
     { "tilesets.1.firstgid", "a", "the map is damaged: …" },
     { "layers.1", 5, "layers[1] must be a table, got 5" },
@@ -129,13 +127,11 @@ describe("world:loadTiled refuses", function()
     },
     { "layers.1.objects.3.polyline.1", { x = 1 }, 'layer "things", object 7: the map is …' },
     { "layers.1.name", "player", "objects.player is not a group, got an object" },
-  }) do
-    it(row[3], function()
-      local map = newMap()
-      put(map, row[1], row[2])
-      refuses(row[3], "loadTiled", map, { strict = true })
-    end)
-  end
+  }, function(path, value, words)
+    local map = newMap()
+    put(map, path, value)
+    refuses(words, "loadTiled", map, { strict = true })
+  end)
 
   it("sizes that would take for ever, and reads no polygon with a thousand corners", function()
     local map = tiled.sti(newMap())
@@ -164,7 +160,7 @@ describe("world:loadTiled refuses", function()
   end)
 
   local names = 'they are "things", "all", "ground"'
-  for _, row in ipairs({
+  small.rows("the option: {2}", {
     { 5, "options must be a table, got 5" },
     { { solidLayer = {} }, 'unknown option "solidLayer" (did you mean "solidLayers"?); the …' },
     { { merge = 1 }, "merge must be true or false, got 1" },
@@ -188,11 +184,9 @@ describe("world:loadTiled refuses", function()
     },
     { { skipLayers = { true } }, "skipLayers[1] must be a layer's name, got true" },
     { { solidLayers = { 9 } }, "solidLayers[1] must be a layer of the map, got 9; " .. names },
-  }) do
-    it("the option: " .. row[2], function()
-      refuses(row[2], "loadTiled", newMap(), row[1])
-    end)
-  end
+  }, function(options, words)
+    refuses(words, "loadTiled", newMap(), options)
+  end)
 
   it("a file that fails, that returns no map, or that asks for globals", function()
     local path = os.tmpname()
@@ -223,7 +217,7 @@ end)
 describe("world:loadLDtk refuses", function()
   local OLD = "LDtk 0.6.2 has saved it: save it with LDtk 1.0 or later"
   local levels = "level must be the identifier, iid or number of a level, got %s; they are"
-  for _, row in ipairs({
+  small.rows("{3}", {
     { nil, nil, "project must be a table, got nil" },
     { "a.ldtk", nil, 'project must be a table, got "a.ldtk"' },
     { {}, nil, "project.levels must be a table, got nil" },
@@ -232,15 +226,13 @@ describe("world:loadLDtk refuses", function()
     { ldtk.cave(), "Attic", levels:format('"Attic"') .. ' "Cave", "Top"' },
     { ldtk.cave(), 3, levels:format("3") .. ' "Cave", "Top"' },
     { ldtk.cave(), {}, "level.layerInstances must be a table, got nil" },
-  }) do
-    it(row[3], function()
-      refuses(row[3], "loadLDtk", row[1], row[2])
-    end)
-  end
+  }, function(project, level, words)
+    refuses(words, "loadLDtk", project, level)
+  end)
 
   local C, E = 'layer "Collisions": ', 'layer "Entities", entity "Start": '
   local entity = "layerInstances.1.entityInstances.1"
-  for _, row in ipairs({
+  small.rows("{1}: {3}", {
     { "pxWid", 0, "level.pxWid must be a number > 0, got 0" },
     { "layerInstances.2.__pxTotalOffsetX", NAN, C .. "the right edge must be a number, got nan" },
     { "layerInstances.2.__gridSize", 0, C .. "width must be a number > 0, got 0" },
@@ -249,15 +241,13 @@ describe("world:loadLDtk refuses", function()
     { "layerInstances.1.entityInstances", NONE, 'layer "Entities": the map is damaged: …' },
     { entity .. ".width", 0, E .. "width must be a number > 0, got 0" },
     { entity .. ".px", NONE, E .. "the map is damaged: …" },
-  }) do
-    it(row[1] .. ": " .. row[3], function()
-      local project = ldtk.cave()
-      put(project.levels[1], row[1], row[2])
-      refuses(row[3], "loadLDtk", project, nil, { strict = true })
-    end)
-  end
+  }, function(path, value, words)
+    local project = ldtk.cave()
+    put(project.levels[1], path, value)
+    refuses(words, "loadLDtk", project, nil, { strict = true })
+  end)
 
-  for _, row in ipairs({
+  small.rows("the option: {2}", {
     { { sold = {} }, 'unknown option "sold" (did you mean "solid"?); the options are …' },
     { { solid = { dirt = 5 } }, 'solid["dirt"] must be true, false or a table of fields, got 5' },
     { { solid = { dirt = { mass = -1 } } }, 'solid["dirt"]: mass must be a number > 0, got -1' },
@@ -271,11 +261,9 @@ describe("world:loadLDtk refuses", function()
       { kinds = { Player = 5 } },
       'kinds.Player must be "static", "dynamic", "kinematic" or …',
     },
-  }) do
-    it("the option: " .. row[2], function()
-      refuses(row[2], "loadLDtk", ldtk.cave(), nil, row[1])
-    end)
-  end
+  }, function(options, words)
+    refuses(words, "loadLDtk", ldtk.cave(), nil, options)
+  end)
 
   it("a level in another file, unless readLevel brings it", function()
     local project = ldtk.cave()
@@ -299,7 +287,7 @@ end)
 
 describe("world:addTiles refuses", function()
   local columns = "columns must be an integer in 1..1000000, got "
-  for _, row in ipairs({
+  small.rows("{2}", {
     { { true, {}, 1, 10 }, "group must be a string or a number, got true" },
     { { "tiles", 5, 1, 10 }, "cells must be a table, got 5" },
     { { "tiles", { 1 }, nil, 10 }, columns .. "nil" },
@@ -318,14 +306,12 @@ describe("world:addTiles refuses", function()
       "the lower edge must be a number in -1e+100..1e+100, got 1.2e+100",
     },
     { { "player", { 1 }, 1, 5 }, "objects.player is not a group, got an object" },
-  }) do
-    it(row[2], function()
-      refuses(row[2], "addTiles", row[1][1], row[1][2], row[1][3], row[1][4], row[1][5])
-    end)
-  end
+  }, function(given, words)
+    refuses(words, "addTiles", given[1], given[2], given[3], given[4], given[5])
+  end)
 
   local wrong = { a = { mass = -1 }, [3] = true }
-  for _, row in ipairs({
+  small.rows("the option: {2}", {
     { 5, "options must be a table, got 5" },
     { { sold = {} }, 'unknown option "sold" (did you mean "solid"?); …' },
     { { solid = { [1] = 5 } }, "solid[1] must be true, false or a …" },
@@ -334,11 +320,9 @@ describe("world:addTiles refuses", function()
     { { solid = { [1] = { group = "player" } } }, "objects.player is …" },
     { { fields = { width = 5 } }, "fields: width must be nil: place …" },
     { { fields = { solid = "x" } }, "fields: solid must be true or …" },
-  }) do
-    it("the option: " .. row[2], function()
-      refuses(row[2], "addTiles", "tiles", { 1 }, 1, 5, row[1])
-    end)
-  end
+  }, function(options, words)
+    refuses(words, "addTiles", "tiles", { 1 }, 1, 5, options)
+  end)
 
   it("what cannot be done with tiles", function()
     local world = newWorld()

@@ -334,7 +334,7 @@ describe("world:loadTiled, words", function()
     assert.same({}, load(things({ box(0, { solid = "false" }) })).objects)
   end)
 
-  for _, row in ipairs({
+  small.rows("that cannot be are named, unless they are the game's own: {3}", {
     { "drag", "true", 'drag must be a number >= 0, got "true"' },
     { "friction", "-1", "friction must be a number >= 0, got -1" },
     { "friction", 0 / 0, "friction must be a number >= 0, got nan" },
@@ -343,22 +343,20 @@ describe("world:loadTiled, words", function()
     { "solid", 2, "solid must be true or false, got 2" },
     { "group", true, "group must be a string or a number, got true" },
     { "mask", { players = "no" }, 'mask.players must be true or false, got "no"' },
-  }) do
-    it("that cannot be are named, unless they are the game's own: " .. row[3], function()
-      local given = things({ box(7, { [row[1]] = row[2], lives = 3 }) })
-      local level = load(given)
-      assert.same({ 3, nil }, { level.objects[1].lives, rawget(level.objects[1], row[1]) })
-      local entry = level.unsupported[1]
-      assert.same(
-        { "object", "things", 7, row[3] },
-        { entry.kind, entry.layer, entry.id, entry.reason }
-      )
-      assert.equal(given.layers[1].objects[1], entry.object)
-      small.refuses('layer "things", object 7: ' .. row[3], load, given, { strict = true })
-      level = load(given, { ignore = { row[1] }, strict = true })
-      assert.equal(row[1] .. ": left out, by the option ignore", level.unsupported[1].reason)
-    end)
-  end
+  }, function(name, value, words)
+    local given = things({ box(7, { [name] = value, lives = 3 }) })
+    local level = load(given)
+    assert.same({ 3, nil }, { level.objects[1].lives, rawget(level.objects[1], name) })
+    local entry = level.unsupported[1]
+    assert.same(
+      { "object", "things", 7, words },
+      { entry.kind, entry.layer, entry.id, entry.reason }
+    )
+    assert.equal(given.layers[1].objects[1], entry.object)
+    small.refuses('layer "things", object 7: ' .. words, load, given, { strict = true })
+    level = load(given, { ignore = { name }, strict = true })
+    assert.equal(name .. ": left out, by the option ignore", level.unsupported[1].reason)
+  end)
 
   it("of layers, tiles and shapes, too, with their ids", function()
     local tiles = {

@@ -41,7 +41,7 @@ describe("world:loadTiled, tiles", function()
     local BOTH = { solidLayers = { "ground" }, solidTiles = { 6 } }
 
     -- why, the tiles, properties of their layer and of one around it, options, how many are solid
-    for _, row in ipairs({
+    small.rows("{1}", {
       { "by their property, and nothing else is", "1556.555...1", nil, nil, nil, 2 },
       { "by their layer's property, but for those that say no", "1556", YES, nil, nil, 3 },
       { "by the name of their layer", "1556", nil, nil, LAYER, 3 },
@@ -55,15 +55,13 @@ describe("world:loadTiled, tiles", function()
       { "by an option, whatever they say", "666", nil, nil, { solidTiles = { 6 } }, 3 },
       { "by no name of a layer if they say no", "666", NO, nil, LAYER, 0 },
       { "by both options", "666", NO, nil, BOTH, 3 },
-    }) do
-      it(row[1], function()
-        local map = newMap({ row[2] }, { properties = row[3] }, LEGEND)
-        if row[4] then
-          map.layers = { tiled.group(2, "all", map.layers, { properties = row[4] }) }
-        end
-        assert.equal(row[6], (load(map, row[5])).tiles)
-      end)
-    end
+    }, function(_, cells, its, around, options, count)
+      local map = newMap({ cells }, { properties = its }, LEGEND)
+      if around then
+        map.layers = { tiled.group(2, "all", map.layers, { properties = around }) }
+      end
+      assert.equal(count, (load(map, options)).tiles)
+    end)
   end)
 
   local function shape(id, x, y, width, height, extra, properties)
@@ -233,7 +231,7 @@ without fields that do not fit each other, which are named once | ground | #1.1 
   ---      +--------+            +--++----+
   local little = { tiled.shapes(0, { tiled.object(1, 2, 3, 4, 8) }) }
   local moved, grid = { tileoffset = { x = 3, y = -5 } }, { tilerendersize = "grid" }
-  for _, row in ipairs({
+  small.rows("stand {1}", {
     { "as drawn", 0, "2 3 4 8" },
     { "flipped left to right", X, "10 3 4 8" },
     { "flipped top to bottom", Y, "2 5 4 8" },
@@ -246,14 +244,12 @@ without fields that do not fit each other, which are named once | ground | #1.1 
     { "moved by the tileset", 0, "3 -29 24 40", moved },
     { "large, turned by 90 degrees", T + X, "0 -8 40 24", {} },
     { "drawn at the size of the grid", 0, "0 0 16 16", grid },
-  }) do
-    it("stand " .. row[1], function()
-      local set = row[4] and small.set({ tilewidth = 24, tileheight = 40 }, row[4])
-      local map = newMap({ "a" }, nil, { a = 1 + row[2] }, not set and little, set)
-      local _, world = load(map)
-      assert.same({ row[3] }, boxes(world, "ground"))
-    end)
-  end
+  }, function(_, flags, expected, fields)
+    local set = fields and small.set({ tilewidth = 24, tileheight = 40 }, fields)
+    local map = newMap({ "a" }, nil, { a = 1 + flags }, not set and little, set)
+    local _, world = load(map)
+    assert.same({ expected }, boxes(world, "ground"))
+  end)
 end)
 
 describe("world:loadTiled, packed layers", function()
@@ -376,16 +372,18 @@ describe("world:loadTiled, tilesets in files of their own", function()
     assert.is_nil(map.tilesets[1].tilewidth) -- the map is as it was
   end)
 
-  for _, way in ipairs({ "", "./", "nowhere/../" }) do
-    it("are read from where a map by path lies: " .. way, function()
+  small.rows(
+    "are read from where a map by path lies: {1}",
+    { "", "./", "nowhere/../" },
+    function(way)
       local _, name = write(SET)
       local folder, map = write(([[return { orientation = "orthogonal", width = 2, height = 1,
-        tilewidth = 16, tileheight = 16, tilesets = { { firstgid = 1, filename = "e.tsx",
-        exportfilename = "%s" } }, layers = { { type = "tilelayer", id = 1, name = "land",
-        width = 2, height = 1, data = { 1, 2 } } } }]]):format(way .. name))
+      tilewidth = 16, tileheight = 16, tilesets = { { firstgid = 1, filename = "e.tsx",
+      exportfilename = "%s" } }, layers = { { type = "tilelayer", id = 1, name = "land",
+      width = 2, height = 1, data = { 1, 2 } } } }]]):format(way .. name))
       assert.equal(1, (load(folder .. "/" .. map)).tiles)
-    end)
-  end
+    end
+  )
 
   it("are looked for by love.filesystem without any .., as maps are", function()
     local asked, filesystem = {}, {}

@@ -186,7 +186,9 @@ describe("world:addTiles", function()
     world:remove(world.objects.tiles[1])
     assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
     tiles:unload()
-    assert.same({ 1, 1 }, { tiles:cellAt(5, 5) })
+    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
+    tiles:load()
+    assert.equal("120 -60 10 10; 130 -50 30 10", boxes(world))
   end)
 
   -- Returns what digging cells of one row costs in so many rows, before the first update and after

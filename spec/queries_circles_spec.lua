@@ -82,7 +82,7 @@ end
 
 describe("world:queryCircle", function()
   -- A box from (10, 10) to (30, 20).
-  for _, row in ipairs({
+  small.rows("finds what the circle overlaps: {1}", {
     { "beside", 0, 15, 10.1, 1 },
     { "flush", 0, 15, 10, 0 },
     { "beyond a corner, in the square of the circle only", 6, 6, 5.6, 0 },
@@ -90,20 +90,20 @@ describe("world:queryCircle", function()
     { "flush at a corner", 7, 6, 5, 0 },
     { "inside", 20, 15, 0.5, 1 },
     { "all of it", 20, 15, 500, 1 },
-  }) do
-    it("finds what the circle overlaps: " .. row[1], function()
-      local world = physics.newWorld({ gravity = 0 })
-      world:add("a", { x = 10, y = 10, width = 20, height = 10 })
-      assert.are.equal(row[5], select(2, world:queryCircle(row[2], row[3], row[4])))
-      world.sideBySide = true
-      local isFlush = row[1]:find("flush") ~= nil
-      local count = select(2, world:queryCircle(row[2], row[3], row[4]))
-      assert.are.equal(isFlush and 1 or row[5], count)
-    end)
-  end
+  }, function(where, x, y, r, expected)
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("a", { x = 10, y = 10, width = 20, height = 10 })
+    assert.are.equal(expected, select(2, world:queryCircle(x, y, r)))
+    world.sideBySide = true
+    local isFlush = where:find("flush") ~= nil
+    local count = select(2, world:queryCircle(x, y, r))
+    assert.are.equal(isFlush and 1 or expected, count)
+  end)
 
-  for _, broadphase in ipairs(BROADPHASES) do
-    it("says what a plain loop says, and so do the other queries: " .. broadphase, function()
+  small.rows(
+    "says what a plain loop says, and so do the other queries: {1}",
+    BROADPHASES,
+    function(broadphase)
       local world, all, random = crowd({ broadphase = broadphase }, 3)
       local found = 0
       for turn = 1, 200 do
@@ -144,13 +144,13 @@ describe("world:queryCircle", function()
         end
       end
       assert.is_true(found > 500)
-    end)
-  end
+    end
+  )
 end)
 
 describe("raycast and radius: a ray", function()
   -- A circle of 20 px around (50, 50).
-  for _, row in ipairs({
+  small.rows("meets a circle: {1}", {
     { "through the middle", { 0, 50, 100, 50 }, { 30, 50, -1, 0, 0.3 } },
     { "from above", { 50, 0, 50, 50 }, { 50, 30, 0, -1, 0.6 } },
     { "off the middle", { 0, 34, 100, 34 }, { 38, 34, -0.6, -0.8, 0.38 } },
@@ -161,20 +161,17 @@ describe("raycast and radius: a ray", function()
     { "without length inside", { 40, 50, 40, 50 }, { 40, 50, 0, 0, 0 } },
     { "without length in the corner of its square", { 31, 31, 31, 31 }, nil },
     { "away from it", { 29, 50, 0, 50 }, nil },
-  }) do
-    it("meets a circle: " .. row[1], function()
-      local world = physics.newWorld({ gravity = 0 })
-      local coin = world:add("coins", { x = 30, y = 30, radius = 20, sensor = true })
-      local from, expected = row[2], row[3]
-      local hit = { world:raycast(from[1], from[2], from[3], from[4]) }
-      local _, count = world:querySegment(from[1], from[2], from[3], from[4])
-      assert.are.equal(expected and 1 or 0, count)
-      assert.are.equal(expected and coin or nil, hit[1])
-      for n = 1, expected and 5 or 0 do
-        assert.is_true(math.abs(expected[n] - hit[n + 1]) < 1e-9)
-      end
-    end)
-  end
+  }, function(_, line, expected)
+    local world = physics.newWorld({ gravity = 0 })
+    local coin = world:add("coins", { x = 30, y = 30, radius = 20, sensor = true })
+    local hit = { world:raycast(small.unpack(line)) }
+    local _, count = world:querySegment(small.unpack(line))
+    assert.are.equal(expected and 1 or 0, count)
+    assert.are.equal(expected and coin or nil, hit[1])
+    for n = 1, expected and 5 or 0 do
+      assert.is_true(math.abs(expected[n] - hit[n + 1]) < 1e-9)
+    end
+  end)
 end)
 
 describe("radius: a sensor with one", function()
@@ -246,21 +243,18 @@ describe("radius: a sensor with one", function()
     "world:overlapping(blast.raw)[1] == box.raw",
   })
 
-  for _, row in ipairs({
+  small.rows("refuses what is no circle, and changes nothing: {2}", {
     { { radius = 0 }, "width must be a number > 0, got nil (2 * radius is 0)" },
     { { radius = "8" }, "width must be a number > 0, got nil" },
     { { radius = 8, width = 16 }, "height must be a number > 0, got nil (2 * radius is 16)" },
     { { radius = 8, width = 16, height = 17 }, "radius must be half of width and height" },
-  }) do
-    it("refuses what is no circle, and changes nothing: " .. row[2], function()
-      local world, object = physics.newWorld(), row[1]
-      local width = object.width
-      object.x, object.y, object.sensor = 0, 0, true
-      small.refuses("coins[1]." .. row[2], world.add, world, "coins", object)
-      assert.are.equal(width, object.width)
-      assert.is_nil(world.objects.coins)
-    end)
-  end
+  }, function(object, words)
+    local world, width = physics.newWorld(), object.width
+    object.x, object.y, object.sensor = 0, 0, true
+    small.refuses("coins[1]." .. words, world.add, world, "coins", object)
+    assert.are.equal(width, object.width)
+    assert.is_nil(world.objects.coins)
+  end)
 
   it("is refused when only its radius changes", function()
     local world = physics.newWorld()

@@ -50,25 +50,23 @@ describe("world:load", function()
     { "a one-way platform", { static = true, oneWay = "top" } },
     { "a rough floor", { static = true, friction = 1 } },
   }
-  for _, row in ipairs(GROUNDS) do
-    it("of a stack of three of mass 2 is 4 800 on " .. row[1], function()
-      for _, rate in ipairs(RATES) do
-        local world, ground = physics.newWorld({ gravity = 800 }), groundOf({})
-        for name, value in pairs(row[2]) do
-          ground[name] = value
-        end
-        local stack = addStack(world, ground)
-        run(world, 1.5 * rate, 1 / rate)
-        for _ = 1, 2 do
-          assertLoad(world, ground, 4800, 0, 0, 0)
-          assertLoad(world, stack[1], 3200, 4800, 0, 0)
-          assertLoad(world, stack[2], 1600, 3200, 0, 0)
-          assertLoad(world, stack[3], 0, 1600, 0, 0)
-          world:restore(world:save())
-        end
+  small.rows("of a stack of three of mass 2 is 4 800 on {1}", GROUNDS, function(_, fields)
+    for _, rate in ipairs(RATES) do
+      local world, ground = physics.newWorld({ gravity = 800 }), groundOf({})
+      for name, value in pairs(fields) do
+        ground[name] = value
       end
-    end)
-  end
+      local stack = addStack(world, ground)
+      run(world, 1.5 * rate, 1 / rate)
+      for _ = 1, 2 do
+        assertLoad(world, ground, 4800, 0, 0, 0)
+        assertLoad(world, stack[1], 3200, 4800, 0, 0)
+        assertLoad(world, stack[2], 1600, 3200, 0, 0)
+        assertLoad(world, stack[3], 0, 1600, 0, 0)
+        world:restore(world:save())
+      end
+    end
+  end)
 
   it("is the same while all sleep, and in a world that was restored from a file", function()
     local world = physics.newWorld({ gravity = 800 })
@@ -144,18 +142,16 @@ describe("world:load", function()
     { "to the right", 800, 0, "left" },
     { "to the left", -800, 0, "right" },
   }
-  for _, row in ipairs(TURNED) do
-    it("follows gravity " .. row[1], function()
-      local world = physics.newWorld({ gravityX = row[2], gravity = row[3] })
-      local scale = world:add("scales", newBox(0, 0, { static = true }))
-      local x, y = -row[2] / 50, -row[3] / 50
-      for n = 1, 3 do
-        world:add("crates", newBox(n * x, n * y, { mass = 2 }))
-      end
-      run(world, 60)
-      assert.are.equal(4800, world:load(scale)[row[4]])
-    end)
-  end
+  small.rows("follows gravity {1}", TURNED, function(_, gx, gy, side)
+    local world = physics.newWorld({ gravityX = gx, gravity = gy })
+    local scale = world:add("scales", newBox(0, 0, { static = true }))
+    local x, y = -gx / 50, -gy / 50
+    for n = 1, 3 do
+      world:add("crates", newBox(n * x, n * y, { mass = 2 }))
+    end
+    run(world, 60)
+    assert.are.equal(4800, world:load(scale)[side])
+  end)
 
   it("counts the pull of zones, also after a restore", function()
     local world = physics.newWorld({ gravity = 800 })

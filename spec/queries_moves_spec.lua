@@ -43,7 +43,7 @@ describe("world:move", function()
     return world, me, wall, floor
   end
 
-  for _, row in ipairs({
+  small.rows("goes: {1}", {
     { "nothing in the way", "slide", { 15, 5 }, { 15, 5 }, "" },
     { "slide along a wall", "slide", { 40, 5 }, { 20, 5 }, "wall right slide" },
     {
@@ -62,21 +62,18 @@ describe("world:move", function()
     { "up to the wall", "slide", { 20, 0 }, { 20, 0 }, "" },
     { "a thousand times as fast", "slide", { 40000, 0 }, { 20, 0 }, "wall right slide" },
     { "no way at all", "slide", { 0, 0 }, { 0, 0 }, "" },
-  }) do
-    it("goes: " .. row[1], function()
-      for _, o in ipairs(SHIFTS) do
-        for _, kind in ipairs({ "dynamic", "static", "kinematic" }) do
-          local world, me = newScene({ [kind] = kind ~= "dynamic" or nil }, o)
-          local to, at = row[3], row[4]
-          local x, y, hits, count = world:move(me, to[1] + o, to[2] + o, row[2])
-          assert.are.near(at[1] + o, x, 1e-6)
-          assert.are.near(at[2] + o, y, 1e-6)
-          assert.are.same({ x, y, 3, 4 }, { me.x, me.y, me.vx, me.vy })
-          assert.are.equal(row[5], told(hits, count))
-        end
+  }, function(_, response, to, at, expected)
+    for _, o in ipairs(SHIFTS) do
+      for _, kind in ipairs({ "dynamic", "static", "kinematic" }) do
+        local world, me = newScene({ [kind] = kind ~= "dynamic" or nil }, o)
+        local x, y, hits, count = world:move(me, to[1] + o, to[2] + o, response)
+        assert.are.near(at[1] + o, x, 1e-6)
+        assert.are.near(at[2] + o, y, 1e-6)
+        assert.are.same({ x, y, 3, 4 }, { me.x, me.y, me.vx, me.vy })
+        assert.are.equal(expected, told(hits, count))
       end
-    end)
-  end
+    end
+  end)
 
   it("tells all about a hit", function()
     local world, me, wall = newScene()
@@ -134,17 +131,19 @@ describe("world:move", function()
   --       /|         up a slope, a steeper one that stands on it, and on at the height of its top
   --     _/ |
   --  _/____|__
-  for _, row in ipairs({ { 30, 84 }, { 60, 70 }, { 90, 40 }, { 150, 40 } }) do
-    it(("walks along two slopes to x = %d"):format(row[1]), function()
+  small.rows(
+    "walks along two slopes to x = {1}",
+    { { 30, 84 }, { 60, 70 }, { 90, 40 }, { 150, 40 } },
+    function(toX, toY)
       local world = physics.newWorld({ gravity = 800 })
       local me = world:add("me", box(0, 90, 10, 10))
       world:add("hills", box(10, 80, 100, 20, { static = true, slope = "right" }))
       world:add("hills", box(40, 50, 60, 60, { static = true, slope = "right" }))
-      local x, y = world:move(me, row[1], 90)
-      assert.are.near(row[1], x, 1e-9)
-      assert.are.near(row[2], y, 1e-9)
-    end)
-  end
+      local x, y = world:move(me, toX, 90)
+      assert.are.near(toX, x, 1e-9)
+      assert.are.near(toY, y, 1e-9)
+    end
+  )
 
   it("slides down a slope, and on along a floor that stands out of it", function()
     local world = physics.newWorld({ gravity = 800 })
@@ -325,23 +324,21 @@ describe("move, impulse and setBounds refuse", function()
     return "no"
   end
 
-  for _, row in ipairs({
+  small.rows("{3}", {
     { "move", { "me", 0, 0, "glide" }, 'response must be "slide", "touch", "cross" or "bounce"' },
     { "move", { "me", 50, 0, no }, "what response(object, other) returns must be" },
     { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
     { "move", { {}, 0, 0 }, "world:move(object, x, y): the object is not in the world" },
     { "impulse", { "wall", 0, 0 }, "object must be dynamic" },
     { "setBounds", { 0, 0, 0, 5 }, "world:setBounds(x, y, w, h): w must be a number > 0, got 0" },
-  }) do
-    it(row[3], function()
-      local world = still()
-      local objects = { me = world:add("me", box(0, 0, 10, 10)) }
-      objects.wall = world:add("walls", box(30, 0, 10, 10, { static = true }))
-      local given = row[2]
-      local first = objects[given[1]] or given[1]
-      small.refuses(row[3], world[row[1]], world, first, given[2], given[3], given[4])
-      assert.are.same({ 0, 0 }, { objects.me.x, objects.me.y })
-      assert.is_nil(world.objects.bounds)
-    end)
-  end
+  }, function(method, args, words)
+    local world = still()
+    local objects = { me = world:add("me", box(0, 0, 10, 10)) }
+    objects.wall = world:add("walls", box(30, 0, 10, 10, { static = true }))
+    local given = args
+    local first = objects[given[1]] or given[1]
+    small.refuses(words, world[method], world, first, given[2], given[3], given[4])
+    assert.are.same({ 0, 0 }, { objects.me.x, objects.me.y })
+    assert.is_nil(world.objects.bounds)
+  end)
 end)

@@ -8,7 +8,7 @@ local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 describe("raycast", function()
   -- One box from (10, 10) to (30, 20).
-  for _, row in ipairs({
+  small.rows("answers: {1}", {
     { "from the left", { 0, 15, 40, 15 }, { 10, 15, -1, 0, 0.25 } },
     { "from the right", { 40, 15, 0, 15 }, { 30, 15, 1, 0, 0.25 } },
     { "from above", { 15, 0, 15, 40 }, { 15, 10, 0, -1, 0.25 } },
@@ -44,28 +44,25 @@ describe("raycast", function()
     { "a little over its bottom", { 0, 19.9995, 40, 19.9995 }, { 10, 19.9995, -1, 0, 0.25 } },
     { "a little in its left", { 10.0005, 0, 10.0005, 40 }, { 10.0005, 10, 0, -1, 0.25 } },
     { "a little in its right", { 29.9995, 0, 29.9995, 40 }, { 29.9995, 10, 0, -1, 0.25 } },
-  }) do
-    it("answers: " .. row[1], function()
-      for _, static in ipairs({ true, false }) do
-        local world = still()
-        local object = world:add("b", sized(10, 10, 20, 10, { static = static }))
-        local l, expected = row[2], row[3]
-        for _ = 1, 2 do
-          local hit, x, y, nx, ny, fraction = world:raycast(l[1], l[2], l[3], l[4])
-          assert.are.equal(expected and object, hit)
-          if expected then
-            assert.are.same(expected, { x, y, nx, ny, fraction })
-            for _, number in ipairs({ x, y, nx, ny, fraction }) do
-              assert.is_true(number ~= 0 or 1 / number > 0) -- no negative zero
-            end
-          else
-            assert.are.equal(0, select("#", world:raycast(l[1], l[2], l[3], l[4])))
+  }, function(_, line, expected)
+    for _, static in ipairs({ true, false }) do
+      local world = still()
+      local object = world:add("b", sized(10, 10, 20, 10, { static = static }))
+      for _ = 1, 2 do
+        local hit, x, y, nx, ny, fraction = world:raycast(unpack(line))
+        assert.are.equal(expected and object, hit)
+        if expected then
+          assert.are.same(expected, { x, y, nx, ny, fraction })
+          for _, number in ipairs({ x, y, nx, ny, fraction }) do
+            assert.is_true(number ~= 0 or 1 / number > 0) -- no negative zero
           end
-          world:update(1 / 60) -- from here on its box has no margin
+        else
+          assert.are.equal(0, select("#", world:raycast(unpack(line))))
         end
+        world:update(1 / 60) -- from here on its box has no margin
       end
-    end)
-  end
+    end
+  end)
 
   --     +-+            the neighbour covers the side along gravity,
   --     +-+   +-+-+    or the one across it
@@ -130,7 +127,7 @@ end)
 -- A ledge of 100 x 10 px at (0, 0), round ones, a slope; lines that meet them.
 describe("raycast: oneWay", function()
   local ROUND, SLOPE = { radius = 50, height = 100 }, { slope = "left", height = 100 }
-  for _, row in ipairs({
+  small.rows("stops a line only where it stops a body: {1}", {
     { "top", { 50, -50, 50, 50 }, 0 },
     { "top", { 50, 50, 50, -50 } },
     { "top", { -50, 5, 50, 5 } },
@@ -149,20 +146,18 @@ describe("raycast: oneWay", function()
     { "top", { 50, 150, 50, 50 }, nil, SLOPE },
     { "top", { 50, 50, 50, -50 }, nil, { sensor = false } },
     { "top", { 50, 50, 50, -50 }, 10, { sensor = true } }, -- that has no solid side
-  }) do
-    it("stops a line only where it stops a body: " .. tostring(row[1]), function()
-      for _, isNew in ipairs({ true, false }) do
-        local l, world = row[2], still()
-        local ledge = tile(0, 0, 100, 10, row[4])
-        ledge.oneWay = row[1]
-        world:add("ledges", ledge)
-        world:update(isNew and 0 or 1 / 60)
-        local hit, _, y = world:raycast(l[1], l[2], l[3], l[4])
-        assert.same({ row[3] and ledge or nil, row[3] }, { hit, hit and y or nil })
-        assert.equal(hit and 1 or 0, (select(2, world:querySegment(l[1], l[2], l[3], l[4]))))
-      end
-    end)
-  end
+  }, function(side, line, at, fields)
+    for _, isNew in ipairs({ true, false }) do
+      local l, world = line, still()
+      local ledge = tile(0, 0, 100, 10, fields)
+      ledge.oneWay = side
+      world:add("ledges", ledge)
+      world:update(isNew and 0 or 1 / 60)
+      local hit, _, y = world:raycast(l[1], l[2], l[3], l[4])
+      assert.same({ at and ledge or nil, at }, { hit, hit and y or nil })
+      assert.equal(hit and 1 or 0, (select(2, world:querySegment(l[1], l[2], l[3], l[4]))))
+    end
+  end)
 end)
 
 --   +---+ .
@@ -216,7 +211,7 @@ describe("sweep", function()
   end
 
   -- The wall, the way, and what is told; far away others stand beside the way.
-  for _, row in ipairs({
+  small.rows("answers: {1}", {
     { "against a side", { 30, 5, 10, 30 }, { 40, 0 }, { 20, 0, -1, 0, 0.5 } },
     { "past it", { 30, 5, 10, 30 }, { 40, -10 }, nil },
     { "just short of it", { 30, 5, 10, 30 }, { 20, 0 }, nil },
@@ -226,26 +221,24 @@ describe("sweep", function()
     { "far to the left", { -1000, 0, 15, 15 }, { -3000, 0 }, { -985, 0, 1, 0, 985 / 3000 } },
     { "far down", { 0, 1000, 15, 15 }, { 0, 3000 }, { 0, 990, 0, -1, 0.33 } },
     { "far up", { 0, -1000, 15, 15 }, { 0, -3000 }, { 0, -985, 0, 1, 985 / 3000 } },
-  }) do
-    it("answers: " .. row[1], function()
-      for _, fields in ipairs({ {}, { static = true }, { kinematic = true } }) do
-        local world, object, wall = scene(fields)
-        wall.x, wall.y, wall.width, wall.height = unpack(row[2])
-        world:refresh(wall)
-        for i = 2, 60 do
-          world:add("c", tile(100 * i, 20, 15, 15))
-          world:add("c", tile(-100 * i, -20, 15, 15))
-        end
-        local other, x, y, nx, ny, fraction = world:sweep(object, row[3][1], row[3][2])
-        assert.are.equal(row[4] and wall, other)
-        if row[4] then
-          assert.are.near(row[4][5], fraction, 1e-12)
-          assert.are.same(row[4], { x, y, nx, ny, row[4][5] })
-        end
-        assert.are.same({ 0, 0 }, { object.x, object.y })
+  }, function(_, box, way, expected)
+    for _, fields in ipairs({ {}, { static = true }, { kinematic = true } }) do
+      local world, object, wall = scene(fields)
+      wall.x, wall.y, wall.width, wall.height = unpack(box)
+      world:refresh(wall)
+      for i = 2, 60 do
+        world:add("c", tile(100 * i, 20, 15, 15))
+        world:add("c", tile(-100 * i, -20, 15, 15))
       end
-    end)
-  end
+      local other, x, y, nx, ny, fraction = world:sweep(object, way[1], way[2])
+      assert.are.equal(expected and wall, other)
+      if expected then
+        assert.are.near(expected[5], fraction, 1e-12)
+        assert.are.same(expected, { x, y, nx, ny, expected[5] })
+      end
+      assert.are.same({ 0, 0 }, { object.x, object.y })
+    end
+  end)
 
   -- To a millionth of a pixel, on either side.
   it("slides over a floor of tiles, and between two walls that are flush", function()

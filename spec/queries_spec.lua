@@ -47,7 +47,7 @@ end
 
 describe("queryPoint, queryRect, querySegment and overlapping", function()
   local OLD = { name = "old" }
-  for _, row in ipairs({
+  small.rows("{2} finds: {1}", {
     -- what, the method, its arguments, which are found, and which with `sideBySide`
     { "in one", "queryPoint", { 5, 5 }, "1" },
     { "on a left and top edge", "queryPoint", { 0, 0 }, "1" },
@@ -70,27 +70,24 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
     { "the other way", "querySegment", { 100, 15, -10, 15 }, "4 2 3 1" },
     { "past all", "querySegment", { -10, 50, 100, 50 }, "" },
     { "by a function", "querySegment", { -10, 15, 100, 15, isEven }, "2 4" },
-    { "of the first", "overlapping", { 1 }, "3", "2 3" },
-    { "of the sensor", "overlapping", { 3 }, "1 2" },
-    { "by a function", "overlapping", { 3, isEven }, "2" },
-  }) do
-    it(row[2] .. " finds: " .. row[1], function()
-      for _, sideBySide in ipairs({ false, true }) do
-        local world, out, given =
-          four({ sideBySide = sideBySide }), { OLD, OLD, OLD, OLD, OLD }, row[3]
-        if row[2] == "overlapping" then
-          given = { ({ world.objects.a[1], nil, world.objects.b[1] })[given[1]], given[2] }
-        end
-        local expected = sideBySide and row[5] or row[4]
-        local args = { world, given[1], given[2], given[3], given[4], given[5] }
-        local count = row[2] == "queryPoint" and 4 or row[2] == "overlapping" and 3 or 6
-        assert.are.equal(expected, names(world[row[2]](unpack(args, 1, count))))
-        args[count + 1] = out -- the list of an earlier call, filled to its end
-        assert.are.equal(out, (world[row[2]](unpack(args, 1, count + 1))))
-        assert.are.equal(expected, names(out, #out))
+    { "of the first", "overlapping", { "a" }, "3", "2 3" },
+    { "of the sensor", "overlapping", { "b" }, "1 2" },
+    { "by a function", "overlapping", { "b", isEven }, "2" },
+  }, function(_, method, given, plain, flush)
+    for _, sideBySide in ipairs({ false, true }) do
+      local world, out = four({ sideBySide = sideBySide }), { OLD, OLD, OLD, OLD, OLD }
+      local args = { world, small.unpack(given, 1, 5) }
+      if method == "overlapping" then
+        args[2] = world.objects[given[1]][1]
       end
-    end)
-  end
+      local expected = sideBySide and flush or plain
+      local count = method == "queryPoint" and 4 or method == "overlapping" and 3 or 6
+      assert.are.equal(expected, names(world[method](unpack(args, 1, count))))
+      args[count + 1] = out -- the list of an earlier call, filled to its end
+      assert.are.equal(out, (world[method](unpack(args, 1, count + 1))))
+      assert.are.equal(expected, names(out, #out))
+    end
+  end)
 
   it("querySegment tells equal ones in order", function()
     local world = still()
@@ -124,7 +121,7 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
 end)
 
 describe("nearest", function()
-  for _, row in ipairs({
+  small.rows("answers: {1}", {
     { "inside", 5, 5, 10, "1", 0 },
     { "left of one", -3, 5, 10, "1", 3 },
     { "off a corner", 83, 34, 10, "4", 5 },
@@ -133,13 +130,11 @@ describe("nearest", function()
     { "too far", -3, 5, 2.99, nil, nil },
     { "far away", -3000, 0, 1e7, "1", 3000 },
     { "no radius", 5, 5, 0, "1", 0 },
-  }) do
-    it("answers: " .. row[1], function()
-      local object, distance = four():nearest(row[2], row[3], row[4])
-      assert.are.equal(row[5], object and object.name)
-      assert.are.equal(row[6], distance)
-    end)
-  end
+  }, function(_, x, y, r, name, px)
+    local object, distance = four():nearest(x, y, r)
+    assert.are.equal(name, object and object.name)
+    assert.are.equal(px, distance)
+  end)
 end)
 
 describe("filter: it", function()
@@ -418,7 +413,7 @@ describe("freePlace", function()
   end)
 
   local CLOUD, WATER = tile(0, 90, 99, 50, { oneWay = "top" }), tile(0, 0, 9, 9, { sensor = true })
-  for _, row in ipairs({
+  small.rows("is {1}", {
     -- what, what is there, where it should be, where it may be
     { "where it is", { tile(0, 100, 99, 20), CLOUD, WATER }, { 0, 90 }, { 0, 90 } },
     { "on the floor", { tile(0, 100, 99, 20) }, { 40, 93 }, { 40, 90 } },
@@ -431,25 +426,23 @@ describe("freePlace", function()
     { "on a slope", { tile(0, 0, 100, 100, { slope = "left" }) }, { 50, 45 }, { 52.5, 42.5 } },
     { "beside a ball", { tile(0, 0, 40, 40, { radius = 20 }) }, { 15, -5 }, { 15, -10 } },
     { "too far away", { tile(0, 0, 999, 999) }, { 500, 500 } },
-  }) do
-    it("is " .. row[1], function()
-      local world = still()
-      for _, object in ipairs(row[2]) do
-        world:add("walls", small.set({}, object))
-      end
-      local at = row[3] or { 35, 40 }
-      local x, y = world:freePlace(at[1], at[2], 10, 10, 100)
-      if row[4] then
-        assert.is_true(world:fits(x, y, 10, 10))
-        assert.near(row[4][1], x, 1e-6)
-        assert.near(row[4][2], y, 1e-6)
-      elseif row[3] then
-        assert.is_nil(x)
-      else
-        assert.same({ 30, 40 }, { x, y })
-      end
-    end)
-  end
+  }, function(_, there, wanted, expected)
+    local world = still()
+    for _, object in ipairs(there) do
+      world:add("walls", small.set({}, object))
+    end
+    local at = wanted or { 35, 40 }
+    local x, y = world:freePlace(at[1], at[2], 10, 10, 100)
+    if expected then
+      assert.is_true(world:fits(x, y, 10, 10))
+      assert.near(expected[1], x, 1e-6)
+      assert.near(expected[2], y, 1e-6)
+    elseif wanted then
+      assert.is_nil(x)
+    else
+      assert.same({ 30, 40 }, { x, y })
+    end
+  end)
 
   it("takes a filter, or the object that would be there, which is not in its own way", function()
     local world = still()

@@ -10,7 +10,7 @@ describe("world:interpolate", function()
   local HALF, LATER = { 0.25, 0.125 }, { 0.25, 0.125, 0.25 }
   local STILL = { kinematic = true, vx = 0, vy = 0 }
   -- what: fields; updates; fields that are written then; more updates; where it is drawn
-  for _, row in ipairs({
+  small.rows("is {1}", {
     { "the last place after a step", {}, NOW, {}, {}, 0, 0 },
     { "between the last and the present place", {}, HALF, {}, {}, 5, -10 },
     { "at the next step again between", {}, LATER, {}, {}, 15, -30 },
@@ -22,21 +22,19 @@ describe("world:interpolate", function()
     { "from there on", {}, HALF, { x = 300, y = 100 }, { 0.25 }, 305, 90 },
     { "on the way to where it was put, kinematic", STILL, HALF, { x = 16 }, { 0.25 }, 8, 0 },
     { "at last there", STILL, HALF, { x = 16 }, { 0.25, 0.25 }, 16, 0 },
-  }) do
-    it("is " .. row[1], function()
-      local world = physics.newWorld({ gravity = 0, timestep = 0.25 })
-      local object = small.set(small.put(0, 0, 8, 8, { vx = 40, vy = -80 }), row[2])
-      world:add("boxes", object)
-      for _, dt in ipairs(row[3]) do
-        world:update(dt)
-      end
-      small.set(object, row[4])
-      for _, dt in ipairs(row[5]) do
-        world:update(dt)
-      end
-      assert.same({ row[6], row[7] }, { world:interpolate(object) })
-    end)
-  end
+  }, function(_, fields, before, written, after, x, y)
+    local world = physics.newWorld({ gravity = 0, timestep = 0.25 })
+    local object = small.set(small.put(0, 0, 8, 8, { vx = 40, vy = -80 }), fields)
+    world:add("boxes", object)
+    for _, dt in ipairs(before) do
+      world:update(dt)
+    end
+    small.set(object, written)
+    for _, dt in ipairs(after) do
+      world:update(dt)
+    end
+    assert.same({ x, y }, { world:interpolate(object) })
+  end)
 
   it("is x, y of what is in no world", function()
     local world = physics.newWorld({ timestep = 0.25 })

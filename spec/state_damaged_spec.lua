@@ -3,6 +3,7 @@
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
+local small = require("spec.support.small")
 local states = require("spec.support.states")
 
 effort.interpretQuickly(setup, teardown)
@@ -132,20 +133,17 @@ local ROWS = {
 }
 
 describe("world:restore, a damaged state", function()
-  for _, row in ipairs(ROWS) do
-    local path, value, text = row[1], row[2], row[3]
-    it("is refused: " .. path .. " = " .. tostring(value), function()
-      local world = newFull()
-      local state, hash = world:save(), world:hash()
-      put(state, path, value)
-      refused("physics: world:restore(state): " .. text, world, "restore", state)
-      assert.are.equal(hash, world:hash())
-    end)
-  end
+  small.rows("is refused: {1} = {2}", ROWS, function(path, value, text)
+    local world = newFull()
+    local state, hash = world:save(), world:hash()
+    put(state, path, value)
+    refused("physics: world:restore(state): " .. text, world, "restore", state)
+    assert.are.equal(hash, world:hash())
+  end)
 end)
 
 describe("world:restore, a damaged state of a world with maps", function()
-  for _, row in ipairs({
+  small.rows("is refused: {1} = {2}", {
     { "maps", nil, "state.maps must be a table, got nil" },
     { "maps", { a = 1 }, "state.maps.a must be a table, got 1" },
     { "tiles", nil, "state.tiles must be a table, got nil" },
@@ -157,16 +155,14 @@ describe("world:restore, a damaged state of a world with maps", function()
       { changes = { 2, 1, 1, 1 } },
       "state.tiles.a.changes[3] must be an integer in 3..",
     },
-  }) do
-    it("is refused: " .. row[1] .. " = " .. tostring(row[2]), function()
-      local world = physics.newWorld()
-      world:addTiles("earth", { "##" }, nil, 16):setTile(1, 1, 0)
-      local state, hash = states.read(states.write(world:save())), world:hash()
-      put(state, row[1], row[2])
-      refused("physics: world:restore(state): " .. row[3], world, "restore", state)
-      assert.are.equal(hash, world:hash())
-    end)
-  end
+  }, function(path, value, words)
+    local world = physics.newWorld()
+    world:addTiles("earth", { "##" }, nil, 16):setTile(1, 1, 0)
+    local state, hash = states.read(states.write(world:save())), world:hash()
+    put(state, path, value)
+    refused("physics: world:restore(state): " .. words, world, "restore", state)
+    assert.are.equal(hash, world:hash())
+  end)
 
   it("is taken where it names cells, boxes or objects that are not there", function()
     local world = physics.newWorld()
@@ -197,7 +193,7 @@ describe("world:restore, what is no state", function()
 end)
 
 describe("world:restore, a state at its limits", function()
-  for _, row in ipairs({
+  small.rows("is accepted: {1} = {2}", {
     { "saved", -1e-10 },
     { "saved", 0.25 },
     { "heardBy", 1 },
@@ -206,14 +202,12 @@ describe("world:restore, a state at its limits", function()
     { "settings.order", nil },
     { "contacts[22]", 2 },
     { "memory.wasCrushed", { 6, true, false } },
-  }) do
-    it("is accepted: " .. row[1] .. " = " .. tostring(row[2]), function()
-      local world = newFull()
-      local state = world:save()
-      put(state, row[1], row[2])
-      world:restore(state)
-      world:update(DT)
-      assert.are.equal(10, world.stats.objects)
-    end)
-  end
+  }, function(path, value)
+    local world = newFull()
+    local state = world:save()
+    put(state, path, value)
+    world:restore(state)
+    world:update(DT)
+    assert.are.equal(10, world.stats.objects)
+  end)
 end)

@@ -122,7 +122,7 @@ describe("timestep", function()
 end)
 
 describe("maxStep:", function()
-  for _, values in ipairs({
+  small.rows("{2} s are equal steps of at most {1}", {
     -- maxStep, dt; where a box is after each step at 1000 px/s
     { 0.1, 0.15, { 75, 150 } },
     { 0.1, 0.25, { 250 / 3, 500 / 3, 250 } },
@@ -130,22 +130,20 @@ describe("maxStep:", function()
     { 1 / 30, 0.04, { 20, 40 } },
     { 1 / 30, 1 / 30, { 100 / 3 } },
     { 0.1, 60, { 250 / 3, 500 / 3, 250 } }, -- 0.25 s at most
-  }) do
-    it(("%.3g s are equal steps of at most %.3g"):format(values[2], values[1]), function()
-      local split, places = physics.newWorld({ gravity = 0, maxStep = values[1] }), {}
-      local fast = split:add("boxes", newBox(0, 0, { vx = 1000 }))
-      split:add("zones", { x = -50, y = 0, width = 500, height = 8, static = true, sensor = true })
-      split.onBegin = function()
-        places[#places + 1] = fast.x
-      end
-      split.onStay = split.onBegin
-      split:update(values[2])
-      assert.equal(#values[3], #places)
-      for n, x in ipairs(values[3]) do
-        assert.near(x, places[n], 1e-9)
-      end
-    end)
-  end
+  }, function(maxStep, dt, expected)
+    local split, places = physics.newWorld({ gravity = 0, maxStep = maxStep }), {}
+    local fast = split:add("boxes", newBox(0, 0, { vx = 1000 }))
+    split:add("zones", { x = -50, y = 0, width = 500, height = 8, static = true, sensor = true })
+    split.onBegin = function()
+      places[#places + 1] = fast.x
+    end
+    split.onStay = split.onBegin
+    split:update(dt)
+    assert.equal(#expected, #places)
+    for n, x in ipairs(expected) do
+      assert.near(x, places[n], 1e-9)
+    end
+  end)
 end)
 
 describe("world:update", function()

@@ -28,8 +28,10 @@ local function boxOf(row)
 end
 
 -- (Other wrong values are in debugging_bad_input_spec.)
-for _, name in ipairs({ "side", "checkCollision", "bump" }) do
-  it(name .. " refuses a or b if it is no box", function()
+small.rows(
+  "{1} refuses a or b if it is no box",
+  { "side", "checkCollision", "bump" },
+  function(name)
     local fine = box(0, 0, 1, 1)
     for _, row in ipairs({
       { "box", ' must be a table, got "box"' },
@@ -41,8 +43,8 @@ for _, name in ipairs({ "side", "checkCollision", "bump" }) do
       refuses(name .. "(a, b): a" .. row[2], physics[name], row[1], fine)
       refuses(name .. "(a, b): b" .. row[2], physics[name], fine, row[1])
     end
-  end)
-end
+  end
+)
 
 describe("inside", function()
   --  0       10
@@ -50,7 +52,7 @@ describe("inside", function()
   --  |#######.   the right and the bottom edge do not
   --  |#######.
   --  +.......+   10
-  for _, row in ipairs({
+  small.rows("is {3} for a rectangle {1}", {
     { "in the middle", { 4, 4, 2, 2 }, true },
     { "in the top left corner", { 0, 0, 2, 2 }, true },
     { "a point on the left edge", { 0, 5, 0, 0 }, true },
@@ -62,12 +64,9 @@ describe("inside", function()
     { "half to the left", { -1, 4, 2, 2 }, false },
     { "half above", { 4, -1, 2, 2 }, false },
     { "larger", { -1, -1, 12, 12 }, false },
-  }) do
-    it("is " .. tostring(row[3]) .. " for a rectangle " .. row[1], function()
-      local a = row[2]
-      assert.equal(row[3], physics.inside(a[1], a[2], a[3], a[4], 0, 0, 10, 10))
-    end)
-  end
+  }, function(_, a, expected)
+    assert.equal(expected, physics.inside(a[1], a[2], a[3], a[4], 0, 0, 10, 10))
+  end)
 end)
 
 describe("side", function()
@@ -76,7 +75,7 @@ describe("side", function()
   --   +--------|--|---------------+  names the wrong axis, opposite sides name the right one.
   --   |        +--+           b   |
   --   +---------------------------+
-  for _, row in ipairs({
+  small.rows("is {4} for {1}", {
     -- middles: 90 px apart on x, 11 on y
     { "a medium box on the end of a thin one", { 0, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
     { "the same one on the other end", { 180, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
@@ -103,11 +102,9 @@ describe("side", function()
     { "right and left, smallest of all", { 4, -20, 2, 50 }, { 0, 0, 10, 10 }, "left" },
     { "a tie of bottom and top", { -20, 4, 50, 2 }, { 0, 0, 10, 10 }, "bottom" },
     { "the same place", { 0, 0, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-  }) do
-    it("is " .. row[4] .. " for " .. row[1], function()
-      assert.equal(row[4], physics.side(boxOf(row[2]), boxOf(row[3])))
-    end)
-  end
+  }, function(_, a, b, expected)
+    assert.equal(expected, physics.side(boxOf(a), boxOf(b)))
+  end)
 end)
 
 describe("checkCollision", function()
@@ -196,7 +193,7 @@ describe("bump", function()
   --       +-------+
   --       6       16
   -- name, fields of a, fields of b, x of a and b in mode "both", x of a and b in mode "first"
-  for _, row in ipairs({
+  small.rows("moves {1}", {
     { "plain boxes", {}, {}, { -2, 8 }, { -4, 6 } },
     { "a lighter one further", { mass = 1 }, { mass = 3 }, { -3, 7 }, { -4, 6 } },
     { "a heavier one less", { mass = 4 }, {}, { -0.8, 9.2 }, { -4, 6 } },
@@ -212,34 +209,30 @@ describe("bump", function()
     { "two that are not pushable", HELD, HELD, { -2, 8 }, { -4, 6 } },
     { "nothing, where both are static", STATIC, STATIC, { 0, 6 }, { 0, 6 } },
     { "nothing, where neither can give way", KINEMATIC, STATIC, { 0, 6 }, { 0, 6 } },
-  }) do
-    it("moves " .. row[1], function()
-      for mode, expected in pairs({ both = row[4], first = row[5] }) do
-        local a, b = box(0, 0, 10, 20, row[2]), box(6, 5, 10, 20, row[3])
-        assert.equal("right", physics.bump(a, b, mode))
-        assert.near(expected[1], a.x, 1e-12)
-        assert.near(expected[2], b.x, 1e-12)
-        assert.same({ 0, 5 }, { a.y, b.y })
-      end
-    end)
-  end
+  }, function(_, its, other, both, first)
+    for mode, expected in pairs({ both = both, first = first }) do
+      local a, b = box(0, 0, 10, 20, its), box(6, 5, 10, 20, other)
+      assert.equal("right", physics.bump(a, b, mode))
+      assert.near(expected[1], a.x, 1e-12)
+      assert.near(expected[2], b.x, 1e-12)
+      assert.same({ 0, 5 }, { a.y, b.y })
+    end
+  end)
 
   -- side, a, where a is in mode "first", where a and b are in mode "both"; b at 0, 0, 10 by 10
-  for _, row in ipairs({
+  small.rows('opens a hit on the {1}; "both" is taken for granted', {
     { "right", { -8, 1, 10, 10 }, { -10, 1 }, { -9, 1 }, { 1, 0 } },
     { "left", { 8, 1, 10, 10 }, { 10, 1 }, { 9, 1 }, { -1, 0 } },
     { "bottom", { 1, -8, 10, 10 }, { 1, -10 }, { 1, -9 }, { 0, 1 } },
     { "top", { 1, 8, 10, 10 }, { 1, 10 }, { 1, 9 }, { 0, -1 } },
-  }) do
-    it("opens a hit on the " .. row[1] .. '; "both" is taken for granted', function()
-      local a, b = boxOf(row[2]), box(0, 0, 10, 10)
-      assert.equal(row[1], physics.bump(a, b, "first"))
-      assert.same({ row[3][1], row[3][2], 0, 0 }, { a.x, a.y, b.x, b.y })
-      a, b = boxOf(row[2]), box(0, 0, 10, 10)
-      assert.equal(row[1], physics.bump(a, b))
-      assert.same({ row[4][1], row[4][2], row[5][1], row[5][2] }, { a.x, a.y, b.x, b.y })
-    end)
-  end
+  }, function(side, at, first, a2, b2)
+    local a, b = boxOf(at), box(0, 0, 10, 10)
+    assert.equal(side, physics.bump(a, b, "first"))
+    assert.same({ first[1], first[2], 0, 0 }, { a.x, a.y, b.x, b.y })
+    a, b = boxOf(at), box(0, 0, 10, 10)
+    assert.equal(side, physics.bump(a, b))
+    assert.same({ a2[1], a2[2], b2[1], b2[2] }, { a.x, a.y, b.x, b.y })
+  end)
 
   it("leaves alone what is apart, flush or flush up to rounding", function()
     for _, x in ipairs({ 30, 10, 10 - 1e-9 }) do
@@ -249,8 +242,10 @@ describe("bump", function()
     end
   end)
 
-  for _, shift in ipairs({ 0, 0.1, 1 / 3, -1000.1, 100000.3 }) do
-    it("leaves 500 random pairs flush in each mode, shifted by " .. shift, function()
+  small.rows(
+    "leaves 500 random pairs flush in each mode, shifted by {1}",
+    { 0, 0.1, 1 / 3, -1000.1, 100000.3 },
+    function(shift)
       local random = newRandom(11)
       local function randomBox()
         local x, y = random:between(-20, 20), random:between(-20, 20)
@@ -279,8 +274,8 @@ describe("bump", function()
           assert.is_true(isExact)
         end
       end
-    end)
-  end
+    end
+  )
 
   it("refuses an object and itself, and an unknown mode", function()
     local a = box(0, 0, 1, 1)
@@ -289,19 +284,17 @@ describe("bump", function()
     refuses(expected, physics.bump, a, box(9, 0, 1, 1), "second")
   end)
 
-  for _, row in ipairs({
+  small.rows("refuses: {1} {3}, and moves nothing", {
     { "mass", 0, "must be a number > 0, got 0" },
     { "static", 1, "must be true or false, got 1" },
     { "kinematic", "no", 'must be true or false, got "no"' },
     { "pushable", 0, "must be true or false, got 0" },
-  }) do
-    it("refuses: " .. row[1] .. " " .. row[3] .. ", and moves nothing", function()
-      local a, b = box(0, 0, 10, 10), box(6, 1, 10, 10)
-      b[row[1]] = row[2]
-      refuses("bump(a, b): b." .. row[1] .. " " .. row[3], physics.bump, a, b)
-      assert.same({ 0, 6 }, { a.x, b.x })
-    end)
-  end
+  }, function(name, value, words)
+    local a, b = box(0, 0, 10, 10), box(6, 1, 10, 10)
+    b[name] = value
+    refuses("bump(a, b): b." .. name .. " " .. words, physics.bump, a, b)
+    assert.same({ 0, 6 }, { a.x, b.x })
+  end)
 end)
 
 describe("globals", function()

@@ -58,27 +58,21 @@ local function isLiving(layer)
   return layer and (cells.waiting(layer)[1] or cells.inWorld(layer)[1])
 end
 
---- Notes the objects and layers that a map has made.
----@param world table
----@param made table `objects`; `_x`, `_y`: px, where the map is
+--- Returns the part of a name that says where a map is, given its place in px.
+function recall.at(world, x, y)
+  return (" %.17g %.17g"):format(x - world._shiftedX, y - world._shiftedY)
+end
+
+--- Notes the layers that a map has made.
 ---@param layers table[] physics.Tiles
----@param waiting physics.Object[]? those that are not a part of the world yet
-function recall.enter(world, made, layers, waiting)
-  local here, x, y = mapsOf(world).here, world._shiftedX, world._shiftedY
-  local place = (" %.17g %.17g"):format(made._x - x, made._y - y)
-  for _, object in ipairs(made.objects) do
-    local record = object.tiled or object.ldtk
-    if record and not record.tiles then
-      record._name, record._object = record._name .. place, object
-    end
-  end
+---@param waiting physics.Object[]? the objects, if they are not a part of the world yet
+function recall.enter(world, layers, waiting)
+  local here = mapsOf(world).here
   for _, layer in ipairs(layers) do
-    layer.world, layer._isAway = world, waiting ~= nil
-    layer._x, layer._y, layer._name = layer._x - x, layer._y - y, layer._name .. place
-    cells.place(layer, x, y)
     while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
     end
+    layer._isAway = waiting ~= nil
     layer._queue = waiting and properties.put({ isLoading = true, first = 1 }, waiting)
     for _, object in ipairs(waiting or {}) do
       layer._isWaiting[object] = true
@@ -87,17 +81,16 @@ function recall.enter(world, made, layers, waiting)
   end
 end
 
---- Brings maps, tiles, and those of their objects that wait, to where the world is now.
+--- Brings maps and tiles to where the world is now.
 function recall.place(world)
   local maps, x, y = mapsOf(world), world._shiftedX, world._shiftedY
-  for _, list in ipairs({ maps.here, maps.away }) do
-    for _, layer in next, list, nil do
-      cells.place(layer, x, y)
-    end
-  end
+  local lists = { maps.here, maps.away }
   for _, atlas in next, maps.atlases, nil do
-    for _, map in ipairs(atlas.maps) do
-      map.x, map.y = map._baseX + x, map._baseY + y
+    lists[#lists + 1] = atlas.maps
+  end
+  for _, list in ipairs(lists) do
+    for _, part in next, list, nil do
+      part.x, part.y = part._baseX + x, part._baseY + y
     end
   end
 end
@@ -237,7 +230,6 @@ function recall.finish(world, st, layers, objects)
   end
   for layer, list in next, others, nil do
     local snapshot = st.tiles[layer._name]
-    layer._dx, layer._dy = cells.drift(layer)
     for object in next, snapshot.isPart and list or {}, nil do
       cells.waitAgain(layer, object)
     end

@@ -29,7 +29,8 @@ local ROOM, MORE = 8, 16
 local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
 -- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
 -- their counts. Nothing else may: all else asks `embody` for a slot that stays.
-local KEEPERS = { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored" }
+local KEEPERS =
+  { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone", "reordered" }
 local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
 
 --- Names the columns of gravity, air friction and drag of a body, with zones and without (see
@@ -168,7 +169,6 @@ local function moveNoted(b)
   for n = 1, #EVERY.names do
     copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, b.leftCount)
   end
-  renameIn(movedTo, b.registry.gone, b.registry.goneCount)
   for n = 1, #KEEPERS do
     renameIn(movedTo, b[KEEPERS[n]], b[COUNTS[n]] or #b[KEEPERS[n]])
   end

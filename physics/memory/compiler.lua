@@ -21,7 +21,7 @@ compiler.INTERPRETED = {
   -- may crash on x64: it reads the result of `next` through the lower half of a pointer to the
   -- stack.
   ["fields.check"] = "firstBad isEmpty",
-  ["maps.cells"] = "place clear waiting",
+  ["maps.cells"] = "clear waiting",
   ["maps.recall"] = "place snapshotOf save begin find finish",
   ["maps.properties"] = "put read saysThatItMoves isEmpty",
   ["maps.tiled.tileset"] = "index",

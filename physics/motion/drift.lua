@@ -93,24 +93,24 @@ end
 -- Lists the bodies of the soft groups, in the order of the world.
 local function list(b, work)
   local groups, n, from, size, fastest = b.registry.groups, 0, b.from, b.size, 0.0
-  for g = 1, #groups do
-    local name, movers = groups[g].name, groups[g].movers
-    local row, most = b.soft[name], 0.0
-    for other = 1, row and #groups or 0 do
-      most = max(most, row[groups[other].name] or 0)
+  local name, row, most
+  for m = 1, b.moverCount do
+    local i = b.movers[m]
+    if b.groupName[i] ~= name then
+      name, row, most = b.groupName[i], b.soft[b.groupName[i]], 0.0
+      for other = 1, row and #groups or 0 do
+        most = max(most, row[groups[other].name] or 0)
+      end
     end
-    for m = 1, row and #movers or 0 do
-      local i = movers[m]
-      if b.active[i] and not b.sensor[i] then
-        n, fastest = n + 1, max(fastest, most)
-        work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
-        local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
-        work.plain[n] = isPlain and not (b.mask[i] or b.hitsOnly[i] or b.masks) and b.mass[i]
-        for axis = 0, 1 do
-          local half = size[2 * i + axis] * 0.5
-          work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
-          work.now[axis][n], work.last[axis][n] = 0.0, 0.0
-        end
+    if row and b.active[i] and not b.sensor[i] then
+      n, fastest = n + 1, max(fastest, most)
+      work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
+      local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
+      work.plain[n] = isPlain and not (b.mask[i] or b.hitsOnly[i] or b.masks) and b.mass[i]
+      for axis = 0, 1 do
+        local half = size[2 * i + axis] * 0.5
+        work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
+        work.now[axis][n], work.last[axis][n] = 0.0, 0.0
       end
     end
   end

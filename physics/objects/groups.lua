@@ -39,10 +39,7 @@ local function newRecord(name, source)
     changedCount = 0,
     found = {}, -- the slots of those objects,
     foundCount = 0,
-    looked = {}, -- by object: a look has taken it over since the last update (see registry)
-    firstLooked = huge, -- the first place of one
-    movers = {}, -- slots of those that are not static (see read.lua),
-    isListed = true, -- if none has come, gone or moved since they were listed
+    moves = false, -- some object of it has been one that is not static
     isPlain = true, -- none of its objects has a metatable
     mixed = false, -- its keys were not 1, 2, 3 … in the order of `next`
   }
@@ -149,16 +146,15 @@ local function passGaps(b, record, n, at, object)
   return behind
 end
 
--- Lists the gaps, and the places that hold another object than before; for an update, also those
--- that a look has taken over. Finds how many objects a group holds under the numbers from 1 on.
-local function listChanges(b, record, first, isLook)
+-- Lists the gaps, and the places that hold another object than before. Finds how many objects a
+-- group holds under the numbers from 1 on.
+local function listChanges(b, record, first)
   local source, list, changed = record.source, record.list, record.changed
-  local looked = not isLook and record.firstLooked < huge and record.looked
   local n, at, count, object = first, first, 0, rawget(source, first)
   while object ~= nil do
-    if looked or not rawequal(object, list[at]) then
+    if not rawequal(object, list[at]) then
       at = passGaps(b, record, n, at, object)
-      if looked and looked[object] or not rawequal(object, list[at]) then
+      if not rawequal(object, list[at]) then
         count = count + 1
         changed[count] = n
       end
@@ -176,14 +172,14 @@ end
 
 -- Finds the changes in a group from place `first` on. All places have changed if there are other
 -- keys, or the group itself has another place.
-local function readChanges(b, record, first, isAll, isLook)
+local function readChanges(b, record, first, isAll)
   local source = record.source
   if record.count == 0 then
     record.direct = check.isObject(source) -- it may have been filled since it was first seen
   end
   record.newKeys, record.newCount = false, 1
   if not record.direct then
-    listChanges(b, record, first, isLook)
+    listChanges(b, record, first)
     if hasOthers(record, record.newCount) then
       record.newKeys = sortedKeys(source, check.place(record.name))
       record.newCount = #record.newKeys
@@ -233,18 +229,15 @@ end
 
 --- Compares the groups with their records. Returns whether anything has changed. (A group with
 --- another place gets other ranks, so all of it is read.)
-function groups.compareAll(b, records, isLook)
+function groups.compareAll(b, records)
   local isAny = false
   for index, record in ipairs(records) do
     local isOther = record.index ~= index
-    local change = isOther and 1 or groups.firstChange(record) or huge ---@type number
-    local first = min(change, record.firstLooked)
-    record.firstLooked = isLook and first or record.firstLooked
-    change = isLook and change or first
+    local change = isOther and 1 or groups.firstChange(record)
     record.changedCount, record.foundCount, record.gapCount = 0, 0, 0
     record.newKeys, record.newCount = record.keys, record.count
-    if change < huge then
-      readChanges(b, record, record.keys and 1 or change, isOther, isLook)
+    if change then
+      readChanges(b, record, record.keys and 1 or change, isOther)
       isAny = true
     end
   end

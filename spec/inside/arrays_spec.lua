@@ -3,6 +3,7 @@
 
 local effort = require("spec.support.effort")
 local fresh = require("spec.support.fresh")
+local small = require("spec.support.small")
 
 effort.interpret(setup, teardown)
 
@@ -83,14 +84,12 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
     { "spot-corner", 20 },
     { "turning", 30 },
   }
-  for _, row in ipairs(SCENES) do
-    it(("in %s of %d"):format(row[1], row[2]), function()
-      fresh.during(function()
-        guard(require("physics.memory.arrays"))
-        play(row[1], row[2], 12)
-      end)
+  small.rows("in {1} of {2}", SCENES, function(name, count)
+    fresh.during(function()
+      guard(require("physics.memory.arrays"))
+      play(name, count, 12)
     end)
-  end
+  end)
 
   -- A ball that falls onto others gets a plane in the middle of a step, beside its contact.
   it("in a heap of elastic balls that others fall on", function()

@@ -11,6 +11,7 @@ local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local player = require("spec.fuzz.player")
 local shrink = require("spec.fuzz.shrink")
+local small = require("spec.support.small")
 local trial = require("spec.fuzz.trial")
 local watcher = require("spec.fuzz.watcher")
 local write = require("spec.fuzz.write")
@@ -61,7 +62,7 @@ local SCENE = {
 describe("the checks notice", function()
   -- what; the check; the object, its field and its value at last; or a callback of the world that
   -- is called, with the numbers of two objects
-  for _, row in ipairs({
+  small.rows("{1}", {
     { "a number that is none", "finite", 3, "vx", 0 / 0 },
     { "a static object that has moved", "static", 1, "x", 1 },
     { "a box inside a wall", "static overlap", 3, "y", 90.01 },
@@ -72,28 +73,26 @@ describe("the checks notice", function()
     { "an end without a beginning", "pairing", "onEnd", 2, 3 },
     { "a beginning without an end", "pairing", "onBegin", 2, 3 },
     { "a crush by one object only", "crush", "onCrush", 2, 3 },
-  }) do
-    it(row[1], function()
-      local one = player.new(SCENE)
-      local watch, list = checks.new(one, true), one.list
-      for _, act in ipairs(SCENE.acts) do
-        one:act(act)
-      end
-      for n = 1, 4 do
-        watch:before()
-        one:act({ "update", 1 / 60 })
-        assert.is_true(n == 4 or watch:after(1 / 60) == nil)
-      end
-      if row[2] == "pairing" or row[2] == "crush" then
-        one.world[row[3]](list[row[4]], list[row[5]], "top", 0)
-      elseif row[2] == "touching" then
-        list[row[3]].touching[row[4]] = list[row[5]]
-      else
-        list[row[3]][row[4]] = row[5]
-      end
-      assert.equal(row[2], (watch:after(1 / 60)))
-    end)
-  end
+  }, function(_, check, first, second, third)
+    local one = player.new(SCENE)
+    local watch, list = checks.new(one, true), one.list
+    for _, act in ipairs(SCENE.acts) do
+      one:act(act)
+    end
+    for n = 1, 4 do
+      watch:before()
+      one:act({ "update", 1 / 60 })
+      assert.is_true(n == 4 or watch:after(1 / 60) == nil)
+    end
+    if check == "pairing" or check == "crush" then
+      one.world[first](list[second], list[third], "top", 0)
+    elseif check == "touching" then
+      list[first].touching[second] = list[third]
+    else
+      list[first][second] = third
+    end
+    assert.equal(check, (watch:after(1 / 60)))
+  end)
 
   it("momentum that is gone", function()
     local one = player.new({ settings = { gravity = 0 }, acts = { SCENE.acts[3] } })
@@ -207,15 +206,15 @@ describe("a case that fails", function()
       acts[#acts + 1] = { "remove", id }
     end
     local one = { settings = { gravity = 3, push = "first" }, acts = acts }
-    local small, failure = shrink.run(one, run(one), 10, run)
+    local short, failure = shrink.run(one, run(one), 10, run)
     assert.same({ { "add", "update", "remove" }, {} }, {
-      { small.acts[1][1], small.acts[2][1], small.acts[3][1] },
-      small.settings,
+      { short.acts[1][1], short.acts[2][1], short.acts[3][1] },
+      short.settings,
     })
-    assert.equal(3, #small.acts)
+    assert.equal(3, #short.acts)
     assert.equal(3, failure.at)
-    assert.is_nil(small.acts[1][4].mass)
-    assert.is_true(small.acts[1][4].width > 5)
+    assert.is_nil(short.acts[1][4].mass)
+    assert.is_true(short.acts[1][4].width > 5)
   end)
 end)
 
@@ -267,7 +266,7 @@ end)
 -- What the games are watched with, against scenes worked out by hand.
 describe("a watcher of games", function()
   local box = { x = 10, y = 10, width = 10, height = 10 }
-  for _, row in ipairs({
+  small.rows("knows {1}", {
     { "a box beside it", { x = 0, y = 10, width = 9, height = 9 }, box, -1 },
     { "a box in its corner", { x = 18, y = 17, width = 9, height = 9 }, box, 2 },
     { "a ball at its face", { x = 12, y = 3, width = 8, height = 8, radius = 4 }, box, 1 },
@@ -301,11 +300,9 @@ describe("a watcher of games", function()
       { x = 0, y = 0, width = 10, height = 10, slope = "right" },
       2 - math.sqrt(2),
     },
-  }) do
-    it("knows " .. row[1], function()
-      assert.near(row[4], overlap.depth(row[2], row[3]), 1e-9)
-    end)
-  end
+  }, function(_, one, other, depth)
+    assert.near(depth, overlap.depth(one, other), 1e-9)
+  end)
 
   it("notices what is lost, too far away, and contacts that do not pair", function()
     local world = physics.newWorld({ gravity = 0 })

@@ -7,6 +7,7 @@ local overlap = require("spec.support.overlap")
 local golden = require("spec.support.golden")
 local physics = require("physics")
 local script = require("spec.support.script")
+local small = require("spec.support.small")
 
 local WILD = { steps = 100, boxes = 24, writes = 0.5, specials = true }
 local CALM = { steps = 200, boxes = 40, writes = 0.04, specials = true }
@@ -58,14 +59,12 @@ describe("broadphase, rest and order: the same scene goes the same way, to the b
     end)
   end
 
-  for _, name in ipairs({ "add", "insert", "assign" }) do
-    it("put in by " .. name, function()
-      for seed = 1, effort.share(5) do
-        local player = script.play(script.new(seed, QUIET), nil, script.inserts[name])
-        checkSame(seed, trackOf(seed, QUIET), player)
-      end
-    end)
-  end
+  small.rows("put in by {1}", { "add", "insert", "assign" }, function(name)
+    for seed = 1, effort.share(5) do
+      local player = script.play(script.new(seed, QUIET), nil, script.inserts[name])
+      checkSame(seed, trackOf(seed, QUIET), player)
+    end
+  end)
 
   it("under the same keys, whatever came and went before", function()
     for seed = 1, effort.share(5) do

@@ -4,6 +4,7 @@
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local DT = 1 / 60
 
@@ -99,11 +100,9 @@ end
 describe("world:restore of boxes and balls in a room", function()
   -- In the first two something is held that was held by something else before; in the last one a
   -- ball is pushed to what only one of two worlds had looked up.
-  for _, seed in ipairs({ 145, 353, 824 }) do
-    it("gives the same bits: room " .. seed, function()
-      check(seed, 0, {})
-    end)
-  end
+  small.rows("gives the same bits: room {1}", { 145, 353, 824 }, function(seed)
+    check(seed, 0, {})
+  end)
 
   for _, gravity in ipairs({ 0, 600 }) do
     it(
@@ -157,9 +156,7 @@ local function playYard(seed, far)
 end
 
 describe("update: a crowd 20 000 px away", function()
-  for _, seed in ipairs({ 3, 5, 13, 14 }) do
-    it("changes no bit: yard " .. seed, function()
-      assert.same(playYard(seed, false), playYard(seed, true))
-    end)
-  end
+  small.rows("changes no bit: yard {1}", { 3, 5, 13, 14 }, function(seed)
+    assert.same(playYard(seed, false), playYard(seed, true))
+  end)
 end)

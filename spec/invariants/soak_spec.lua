@@ -30,26 +30,24 @@ describe("world:update: a busy scene", function()
 end)
 
 describe("y and vy: what falls for ever", function()
-  for _, broadphase in ipairs({ "grid", "pairs" }) do
-    it("leaves nothing behind, " .. broadphase .. " #slow", function()
-      local world = physics.newWorld({ gravity = 1000, broadphase = broadphase })
-      for i = 1, 40 do
-        local box = { x = 30 * i, y = 0, width = 16, height = 16, vx = 40 * (i % 7 - 3) }
-        box.maxSpeedY = 300 * i
-        world:add("boxes", box)
-      end
-      local function fall(steps)
-        small.run(world, steps)
-        return busy.memory()
-      end
-      fall(effort.share(2000, 1500))
-      local before = fall(600)
-      local after = fall(effort.share(2000, 1500))
-      assert.is_true(after < before * 1.05, ("%.0f kB became %.0f kB"):format(before, after))
-      assert.is_true(world.objects.boxes[40].y > 90000)
-      assert.equal(40, world.stats.objects)
-    end)
-  end
+  small.rows("leaves nothing behind, {1} #slow", { "grid", "pairs" }, function(broadphase)
+    local world = physics.newWorld({ gravity = 1000, broadphase = broadphase })
+    for i = 1, 40 do
+      local box = { x = 30 * i, y = 0, width = 16, height = 16, vx = 40 * (i % 7 - 3) }
+      box.maxSpeedY = 300 * i
+      world:add("boxes", box)
+    end
+    local function fall(steps)
+      small.run(world, steps)
+      return busy.memory()
+    end
+    fall(effort.share(2000, 1500))
+    local before = fall(600)
+    local after = fall(effort.share(2000, 1500))
+    assert.is_true(after < before * 1.05, ("%.0f kB became %.0f kB"):format(before, after))
+    assert.is_true(world.objects.boxes[40].y > 90000)
+    assert.equal(40, world.stats.objects)
+  end)
 end)
 
 -- Sizes that no binary fraction hits.
@@ -75,34 +73,31 @@ end
 describe("x and y: ten million pixels from the origin", function()
   -- Neighbouring numbers are 1.9e-9 px apart there. Nothing overlaps by more than the 1e-6 px that
   -- are promised everywhere; paths differ from those at the origin by rounding alone.
-  for _, row in ipairs({ { 1e7, 1e7 }, { -1e7, 1e7 }, { 1e7, -1e7 }, { -1e7, -1e7 } }) do
-    it(("a pile comes to rest as anywhere, at %g, %g"):format(row[1], row[2]), function()
-      local world, boxes = pile(row[1], row[2])
-      local deepest = overlap.checker(boxes)
-      for _ = 1, 300 do
-        world:update(1 / 60)
-        assert.is_true(deepest() <= 1e-6, ("overlap %.3g px"):format(deepest()))
-      end
-      for i = 1, 20 do
-        assert.same({ 0, 0 }, { boxes[i].vx, boxes[i].vy }, "box " .. i)
-        assert.truthy(boxes[i].touching.bottom, "box " .. i)
-        local below = boxes[i].touching.bottom
-        assert.is_true(math.abs(boxes[i].y + boxes[i].height - below.y) <= 1e-6)
-      end
-    end)
+  local PLACES = { { 1e7, 1e7 }, { -1e7, 1e7 }, { 1e7, -1e7 }, { -1e7, -1e7 } }
+  small.rows("a pile comes to rest as anywhere, at {1}, {2}", PLACES, function(x, y)
+    local world, boxes = pile(x, y)
+    local deepest = overlap.checker(boxes)
+    for _ = 1, 300 do
+      world:update(1 / 60)
+      assert.is_true(deepest() <= 1e-6, ("overlap %.3g px"):format(deepest()))
+    end
+    for i = 1, 20 do
+      assert.same({ 0, 0 }, { boxes[i].vx, boxes[i].vy }, "box " .. i)
+      assert.truthy(boxes[i].touching.bottom, "box " .. i)
+      local below = boxes[i].touching.bottom
+      assert.is_true(math.abs(boxes[i].y + boxes[i].height - below.y) <= 1e-6)
+    end
+  end)
 
-    it(("a jump is as high as anywhere, at %g, %g"):format(row[1], row[2]), function()
-      local here, there = physics.newWorld({ gravity = 800 }), physics.newWorld({ gravity = 800 })
-      local a = here:add("boxes", { x = 0, y = 0, width = 10, height = 10, vx = 77.7, vy = -400 })
-      local b = there:add("boxes", { x = row[1], y = row[2], width = 10, height = 10, vx = 77.7 })
-      b.vy = -400
-      for _ = 1, 120 do
-        here:update(1 / 60)
-        there:update(1 / 60)
-        assert.is_true(
-          math.abs(b.x - row[1] - a.x) <= 1e-6 and math.abs(b.y - row[2] - a.y) <= 1e-6
-        )
-      end
-    end)
-  end
+  small.rows("a jump is as high as anywhere, at {1}, {2}", PLACES, function(x, y)
+    local here, there = physics.newWorld({ gravity = 800 }), physics.newWorld({ gravity = 800 })
+    local a = here:add("boxes", { x = 0, y = 0, width = 10, height = 10, vx = 77.7, vy = -400 })
+    local b = there:add("boxes", { x = x, y = y, width = 10, height = 10, vx = 77.7 })
+    b.vy = -400
+    for _ = 1, 120 do
+      here:update(1 / 60)
+      there:update(1 / 60)
+      assert.is_true(math.abs(b.x - x - a.x) <= 1e-6 and math.abs(b.y - y - a.y) <= 1e-6)
+    end
+  end)
 end)

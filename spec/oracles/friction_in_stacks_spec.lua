@@ -106,18 +106,16 @@ describe("friction: goes where small steps lead it #slow", function()
     return row
   end
 
-  for _, row in ipairs({
+  small.rows("{1}, at {5} Hz #slow", {
     -- what, build, seconds, seeds, rate, px for the half of them and for so many
     { "boxes that run into each other", runningInto, 0.5, 40, 30, 1e-9, 36, 0.9 },
     { "boxes that run into each other", runningInto, 0.5, 40, 60, 1e-9, 36, 0.25 },
     { "a stack that is run into", stacks, 0.5, 24, 60, 0.1, 22, 1.5 },
     { "a stack of different speeds", sliding, 0.4, 20, 60, 0.1, 20, 1.5 },
-  }) do
-    it(("%s, at %d Hz #slow"):format(row[1], row[5]), function()
-      local apart = distances(row[2], row[3], row[4], row[5])
-      local half, most = apart[row[4] / 2], apart[row[7]]
-      assert.is_true(half < row[6], ("half differ by up to %g px"):format(half))
-      assert.is_true(most < row[8], ("%d differ by up to %g px"):format(row[7], most))
-    end)
-  end
+  }, function(_, build, seconds, seeds, rate, usual, which, worst)
+    local apart = distances(build, seconds, seeds, rate)
+    local half, most = apart[seeds / 2], apart[which]
+    assert.is_true(half < usual, ("half differ by up to %g px"):format(half))
+    assert.is_true(most < worst, ("%d differ by up to %g px"):format(which, most))
+  end)
 end)

@@ -7,6 +7,7 @@ local measure = require("bench.measure")
 local options = require("bench.options")
 local overlap = require("spec.support.overlap")
 local scenes = require("bench.scenes")
+local small = require("spec.support.small")
 local statistics = require("bench.statistics")
 
 describe("statistics", function()
@@ -30,7 +31,7 @@ describe("the overlap measure", function()
     return { x = x, y = y, width = width, height = height, static = kind == "static" }
   end
 
-  for _, row in ipairs({
+  small.rows("counts {1}", {
     --   +---+        +--+--+      +------+
     --   | +-+-+      +--+--+      | +--+ |
     --   +-+ | |                   | +--+ |
@@ -41,12 +42,10 @@ describe("the overlap measure", function()
     { "a box in a wall", 2, box(0, 0, 10, 10), box(-50, 8, 100, 5, "static") },
     { "two walls not at all", 0, box(0, 0, 9, 9, "static"), box(5, 5, 9, 9, "static") },
     { "boxes far apart not at all", 0, box(0, 0, 10, 10), box(100, 0, 10, 10) },
-  }) do
-    it("counts " .. row[1], function()
-      assert.equal(row[2], (overlap.checker({ row[3], row[4] })()))
-      assert.equal(row[2], (overlap.checker({ row[4], row[3] })()))
-    end)
-  end
+  }, function(_, expected, one, other)
+    assert.equal(expected, (overlap.checker({ one, other })()))
+    assert.equal(expected, (overlap.checker({ other, one })()))
+  end)
 end)
 
 describe("the command line", function()

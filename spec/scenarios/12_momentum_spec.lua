@@ -5,6 +5,7 @@ local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
 local EVERYWHERE = variants.EVERYWHERE
@@ -224,10 +225,10 @@ end)
 
 -- Several reach a wall in one step, one behind the other.
 describe("restitution: a column of boxes of 8 px that falls", function()
-  for _, row in ipairs({ { 2, 0 }, { 5, 0 }, { 6, 0.4 }, { 12, 0.4 } }) do
-    local count, restitution = row[1], row[2]
-    local title = "keeps its order, and none is in another: %d of restitution %g"
-    it(title:format(count, restitution), function()
+  small.rows(
+    "keeps its order, and none is in another: {1} of restitution {2}",
+    { { 2, 0 }, { 5, 0 }, { 6, 0.4 }, { 12, 0.4 } },
+    function(count, restitution)
       local levels = { rate = { 30, 60, 144 }, shift = { 0 }, push = { "both" } }
       scene.each(levels, function(run)
         for height = 100, 500, effort.share(20, 100) do
@@ -246,8 +247,8 @@ describe("restitution: a column of boxes of 8 px that falls", function()
           end
         end
       end)
-    end)
-  end
+    end
+  )
 end)
 
 describe("restitution: a box that comes back from a wall", function()
@@ -273,29 +274,26 @@ end)
 -- What settles in the last rounds of a step.
 describe("restitution: ten boxes of 0.9 in a row that meet a heavier one", function()
   -- Steps a second, their speed, and px between them, the last up to the heavy one.
-  for _, row in ipairs({
+  small.rows("are never in each other: {2} px/s, {1} Hz", {
     { 30, 631, { 0, 0, 0, 0, 1.6, 0.1, 0, 0, 1.7, 11.1 } },
     { 60, 452, { 0, 0, 0.2, 0, 0, 0, 1.5, 0, 0.2, 6.9 } },
-  }) do
-    local rate, speed, gaps = row[1], row[2], row[3]
-    it(("are never in each other: %d px/s, %d Hz"):format(speed, rate), function()
-      scene.each({ rate = { rate }, push = { "both" } }, function(run)
-        local description, x = { gravity = 0 }, 0
-        for i = 1, 10 do
-          description[i] = box("box" .. i, x, 0, 20, 20, { vx = speed, restitution = 0.9 })
-          x = x + 20 + gaps[i]
+  }, function(rate, speed, gaps)
+    scene.each({ rate = { rate }, push = { "both" } }, function(run)
+      local description, x = { gravity = 0 }, 0
+      for i = 1, 10 do
+        description[i] = box("box" .. i, x, 0, 20, 20, { vx = speed, restitution = 0.9 })
+        x = x + 20 + gaps[i]
+      end
+      description[11] = box("box11", x, -10, 32, 40, { vx = -100, mass = 5 })
+      local named = run:build(description)
+      for _ in run:steps(1) do
+        for i = 2, 11 do
+          local gap = named["box" .. i].x - named["box" .. i - 1].x - 20
+          run:check(gap > -0.05, "%d is %g px in the one before", i, -gap)
         end
-        description[11] = box("box11", x, -10, 32, 40, { vx = -100, mass = 5 })
-        local named = run:build(description)
-        for _ in run:steps(1) do
-          for i = 2, 11 do
-            local gap = named["box" .. i].x - named["box" .. i - 1].x - 20
-            run:check(gap > -0.05, "%d is %g px in the one before", i, -gap)
-          end
-        end
-      end)
+      end
     end)
-  end
+  end)
 end)
 
 describe("restitution and masks: shots that pass each other", function()

@@ -9,6 +9,7 @@ local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
 local APART, REST, REST_OF_MANY = 1, 2, 3 -- s
 local STILL = 0.5 -- s, how long nothing may move
@@ -322,10 +323,10 @@ describe("add: a heap", function()
 end)
 
 describe("kinematic: a machine that leaves no room", function()
-  for _, row in ipairs(MACHINES) do
-    local name, count, sizes = row[1], row[2], row[3]
-    local title = "%s, %d boxes of %s sizes: none gets out, also when it goes back #slow"
-    it(title:format(name, count, sizes), function()
+  small.rows(
+    "{1}, {2} boxes of {3} sizes: none gets out, also when it goes back #slow",
+    MACHINES,
+    function(name, count, sizes)
       scene.each(LEVELS, function(run)
         local cell = math.floor(ROOM / math.ceil(math.sqrt(count)))
         local description = join({}, wallsFor(name))
@@ -357,8 +358,8 @@ describe("kinematic: a machine that leaves no room", function()
         scene.watch(run, watch, 1)
         expectRest(run, watch)
       end)
-    end)
-  end
+    end
+  )
 end)
 
 describe("broadphase and rest: what has no room", function()

@@ -68,8 +68,10 @@ local function near(expected, value, tolerance)
 end
 
 describe("slope and radius: a ball on a slope", function()
-  for _, degrees in ipairs({ 10, 30, 45, 70 }) do
-    it(("rolls down %d degrees by g sin, friction or not"):format(degrees), function()
+  small.rows(
+    "rolls down {1} degrees by g sin, friction or not",
+    { 10, 30, 45, 70 },
+    function(degrees)
       for n = 1, 6 do
         local rate, rises = RATES[(n - 1) % #RATES + 1], math.tan(math.rad(degrees))
         local slope = static(0, 0, 2000, 2000 * rises, "left")
@@ -86,8 +88,8 @@ describe("slope and radius: a ball on a slope", function()
           near(0, gapOf(ball, slope))
         end)
       end
-    end)
-  end
+    end
+  )
 
   it("rolls in the same way wherever gravity points", function()
     for _, way in ipairs({ { "left", 0, 1 }, { "topright", 0, -1 }, { "left", 1, 0 } }) do

@@ -145,8 +145,10 @@ describe("radius: a ball", function()
   --      #|   |
   --      #+---+o <-     (`degrees`: of the normal, which leads from the corner to the ball)
   --      ##########
-  for _, degrees in ipairs({ 15, 45, 75 }) do
-    it(("stays at the corner that it is pressed against, at %d degrees"):format(degrees), function()
+  small.rows(
+    "stays at the corner that it is pressed against, at {1} degrees",
+    { 15, 45, 75 },
+    function(degrees)
       for n = 1, 12 do
         local x, y = 46 + 8 * math.cos(math.rad(degrees)), 46 + 8 * math.sin(math.rad(degrees))
         local world = physics.newWorld({ gravity = 0 })
@@ -161,8 +163,8 @@ describe("radius: a ball", function()
           near(x - 8, object.x, 0.5) -- (what is struck by less is left to its weight)
         end
       end
-    end)
-  end
+    end
+  )
 
   it("rests on the floor, carries, is carried, and sleeps", function()
     local world = physics.newWorld({ gravity = 800 })
@@ -282,33 +284,31 @@ describe("radius and pushable: two balls that cannot be pushed", function()
 end)
 
 describe("radius and pushable: a ball that cannot be pushed", function()
-  for _, row in ipairs({
+  small.rows("slides around a {1} as others do", {
     { "round pillar", { x = 30, y = 0, width = 64, height = 64, radius = 32, static = true } },
     { "round lift", { x = 30, y = 0, width = 64, height = 64, radius = 32, kinematic = true } },
     { "corner", { x = 50, y = 0, width = 64, height = 64, static = true } },
     { "slope", { x = 0, y = 0, width = 90, height = 45, slope = "topright", static = true } },
-  }) do
-    it("slides around a " .. row[1] .. " as others do", function()
-      local places = {}
-      for n, pushable in ipairs({ true, false }) do
-        local world = physics.newWorld({ gravity = 0 })
-        local one = { x = 0, y = 110, width = 60, height = 60, radius = 30, pushable = pushable }
-        local copy = {}
-        for name, value in pairs(row[2]) do
-          copy[name] = value
-        end
-        world:add("walls", copy)
-        world:add("bosses", one)
-        for _ = 1, 180 do
-          one.vx, one.vy = 0, -60
-          world:update(1 / 60)
-        end
-        places[n] = one
+  }, function(_, wall)
+    local places = {}
+    for n, pushable in ipairs({ true, false }) do
+      local world = physics.newWorld({ gravity = 0 })
+      local one = { x = 0, y = 110, width = 60, height = 60, radius = 30, pushable = pushable }
+      local copy = {}
+      for name, value in pairs(wall) do
+        copy[name] = value
       end
-      assert.is_true(places[2].y < 4, places[2].y)
-      assert.same({ places[1].x, places[1].y }, { places[2].x, places[2].y })
-    end)
-  end
+      world:add("walls", copy)
+      world:add("bosses", one)
+      for _ = 1, 180 do
+        one.vx, one.vy = 0, -60
+        world:update(1 / 60)
+      end
+      places[n] = one
+    end
+    assert.is_true(places[2].y < 4, places[2].y)
+    assert.same({ places[1].x, places[1].y }, { places[2].x, places[2].y })
+  end)
 
   -- It falls at 277 px/s. An exact wedge of 1 : 64 would shoot out the lower one at 18 000 px/s.
   for _, offset in ipairs({ 0.25, 1, 4, 6 }) do

@@ -145,8 +145,10 @@ end
 
 -- They were pushed off the floor by hundredths of a px, and came onto it anew, in each step.
 describe("touching and onBegin: balls that lie side by side", function()
-  for _, count in ipairs({ 10, 20 }) do
-    it(("touch their floor, and begin no contact anew: %d of them"):format(count), function()
+  small.rows(
+    "touch their floor, and begin no contact anew: {1} of them",
+    { 10, 20 },
+    function(count)
       local world, begins = physics.newWorld({ gravity = 600 }), 0
       world:setBounds(0, 0, 400, 300)
       for n = 1, count do
@@ -161,55 +163,55 @@ describe("touching and onBegin: balls that lie side by side", function()
       for _, ball in ipairs(world.objects.balls) do
         assert.equal(300 - ball.y - ball.height < 0.05, ball.touching.bottom ~= false)
       end
-    end)
-  end
+    end
+  )
 end)
 
 describe("radius: a heap of balls", function()
-  for _, kind in ipairs({ "columns", "poured", "mixed" }) do
-    it("comes to rest: " .. kind, function()
-      for seed = 1, effort.share(4) do
-        local world = newHeap(kind, seed)
-        small.run(world, 600, 60, function(n)
-          if n % 20 == 0 and kind ~= "mixed" then
-            local ofBalls, ofRoom = depths(world.objects.balls, 160)
-            assert.is_true(ofRoom < 1, ofRoom) -- px in a wall, in the fall
-            assert.is_true(n < 600 or ofBalls < 0.15 and ofRoom < 1e-6, ofBalls)
-          end
-        end)
-        assert.are.equal(COUNT, world.stats.resting)
-        local hash = world:hash()
-        run(world, 1)
-        assert.are.equal(hash, world:hash())
-      end
-    end)
-  end
+  small.rows("comes to rest: {1}", { "columns", "poured", "mixed" }, function(kind)
+    for seed = 1, effort.share(4) do
+      local world = newHeap(kind, seed)
+      small.run(world, 600, 60, function(n)
+        if n % 20 == 0 and kind ~= "mixed" then
+          local ofBalls, ofRoom = depths(world.objects.balls, 160)
+          assert.is_true(ofRoom < 1, ofRoom) -- px in a wall, in the fall
+          assert.is_true(n < 600 or ofBalls < 0.15 and ofRoom < 1e-6, ofBalls)
+        end
+      end)
+      assert.are.equal(COUNT, world.stats.resting)
+      local hash = world:hash()
+      run(world, 1)
+      assert.are.equal(hash, world:hash())
+    end
+  end)
 
   -- By rate: px by which two balls may overlap while they are poured, and when they rest. Of 100
   -- balls 6 to 13 hang in 16 heaps, and 18 in one.
-  for _, row in ipairs({ { 30, 1, 0.3 }, { 60, 0.5, 0.25 }, { 120, 0.5, 0.25 } }) do
-    it(("lies closely, and nothing hangs over a gap: %d Hz #slow"):format(row[1]), function()
+  small.rows(
+    "lies closely, and nothing hangs over a gap: {1} Hz #slow",
+    { { 30, 1, 0.3 }, { 60, 0.5, 0.25 }, { 120, 0.5, 0.25 } },
+    function(rate, whilePoured, atRest)
       for seed = 1, effort.share(2) do
         local world, deepest, inRoom = newShaft({}, 360), 0, 0
-        local balls = pour(world, seed, row[1], function(step, balls)
+        local balls = pour(world, seed, rate, function(step, balls)
           if step % 3 == 0 then
             local ofBalls, ofRoom = depths(balls, 360)
             deepest, inRoom = math.max(deepest, ofBalls), math.max(inRoom, ofRoom)
           end
         end)
-        run(world, 5, row[1])
+        run(world, 5, rate)
         assert.are.equal(100, world.stats.resting)
         local ofBalls, hanging = depths(balls, 360), 0
         for _, one in ipairs(balls) do
           hanging = hanging + (isBorne(balls, one) and 0 or 1)
         end
-        assert.is_true(deepest < row[2], deepest)
-        assert.is_true(ofBalls < row[3], ofBalls)
+        assert.is_true(deepest < whilePoured, deepest)
+        assert.is_true(ofBalls < atRest, ofBalls)
         assert.is_true(inRoom < 1e-6, inRoom)
         assert.is_true(hanging <= 18, hanging)
       end
-    end)
-  end
+    end
+  )
 
   -- Balls, or each third one a box, in ten columns. The last one lands within 0.6 s.
   for _, hasBoxes in ipairs({ false, true }) do

@@ -4,6 +4,8 @@ local physics = require("physics")
 
 local small = {}
 
+small.unpack = rawget(_G, "unpack") or rawget(table, "unpack")
+
 --- Returns an object that has these fields, too.
 ---@param fields? table
 function small.set(object, fields)
@@ -68,6 +70,25 @@ end
 ---@param rate? number default 60
 function small.play(world, seconds, rate)
   small.run(world, math.floor(seconds * (rate or 60) + 0.5), rate)
+end
+
+--- Defines a spec for each row of a list: f gets its values, `{2}` in the title is the second one.
+---@param title string
+---@param rows any[] lists of values, or values
+---@param f function
+function small.rows(title, rows, f)
+  -- busted gives its words to spec files, not to what they require
+  local define = rawget(_G, "it") or require("busted").it
+  for _, row in ipairs(rows) do
+    local values = type(row) == "table" and row or { row }
+    local name = title:gsub("{(%d)}", function(n)
+      local value = values[tonumber(n)]
+      return type(value) == "number" and ("%.6g"):format(value) or tostring(value)
+    end)
+    define(name, function()
+      f(small.unpack(values, 1, 10))
+    end)
+  end
 end
 
 return small
