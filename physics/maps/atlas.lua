@@ -28,13 +28,13 @@ local atlas = {}
 ---@field map table the decoded world or project
 ---@field package _world physics.World
 ---@field package _readMap function see `atlas.new`
+---@field package _options table those of each map
 ---@field package _made table<table, table> map -> its level and layers, of those that are there
 ---@field package _there table<string, true> names of these
 local Atlas = {}
 Atlas.__index = Atlas
 
-local LISTS = level.LISTS .. " lines points"
-local TABLES = { "byId", "byIid", "named", "tileLayers" }
+local LISTS, TABLES = level.LISTS .. " lines points", " byId byIid named tileLayers"
 
 local function join(self, made)
   for name in LISTS:gmatch("%a+") do
@@ -43,7 +43,7 @@ local function join(self, made)
       list[#list + 1] = entry
     end
   end
-  for _, name in ipairs(TABLES) do
+  for name in TABLES:gmatch("%a+") do
     self[name] = properties.join(made[name] or {}, self[name])
   end
   self.tiles, self.rectangles = self.tiles + made.tiles, self.rectangles + made.rectangles
@@ -68,8 +68,8 @@ function Atlas._read(self, isWanted)
   for _, map in ipairs(self.maps) do
     made[map] = isWanted[map.name] and self._made[map] or nil
     if isWanted[map.name] and not made[map] then
-      map.options.x, map.options.y = map.x, map.y
-      local loaded, layers, add = self._readMap(self._world, map.path, map.options)
+      local options = properties.join(self._options, { x = map.x, y = map.y })
+      local loaded, layers, add = self._readMap(self._world, map.path, options)
       made[map] = { level = loaded, layers = layers, add = add }
     end
   end
@@ -81,10 +81,7 @@ end
 function Atlas._set(self, made)
   local grids = {}
   self._made, self._there, self.tiles, self.rectangles = made, {}, 0, 0
-  for name in LISTS:gmatch("%a+") do
-    self[name] = {}
-  end
-  for _, name in ipairs(TABLES) do
+  for name in (LISTS .. TABLES):gmatch("%a+") do
     self[name] = {}
   end
   for i, map in ipairs(self.maps) do
@@ -116,17 +113,18 @@ end
 ---@param world table
 ---@param maps table[] physics.AtlasMap
 ---@param readMap function reads a map; returns its level, its tiles, and a function that adds them
----@param isLater boolean? is no map there at first
+---@param options table? as the game has given them; `later`: no map is there at first
 ---@param given table? the decoded world
 ---@param name string by which a state finds it
 ---@return physics.Atlas
-function atlas.new(world, maps, readMap, isLater, given, name)
+function atlas.new(world, maps, readMap, options, given, name)
   local self = setmetatable({ maps = maps, map = given, _world = world, _made = {} }, Atlas)
-  self._readMap = readMap
+  self._readMap, self._options = readMap, properties.put({}, options or {})
+  self._options.folder = nil -- each map knows its own
   local names = {}
   for _, map in ipairs(maps) do
     map._baseX, map._baseY = map.x - world._shiftedX, map.y - world._shiftedY
-    names[map.name] = not isLater or nil
+    names[map.name] = not self._options.later or nil
   end
   self:_set(self:_read(names))
   recall.mapsOf(world).atlases[name] = self

@@ -107,6 +107,13 @@ local function write(owner, row, value, isShared)
   end
 end
 
+-- Writes fields or settings by their rows.
+local function writeRows(owner, rows, given, isShared)
+  for _, row in ipairs(rows) do
+    write(owner, row, given[row.name], isShared)
+  end
+end
+
 -- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and
 -- read as a whole: all but tiles that are in place.
 local function writeBoxes(b, st, objects)
@@ -152,9 +159,7 @@ local function writeFields(b, st, objects)
     writeField(st, objects, row, not row.isOwn and odd)
   end
   for n, saved in ipairs(st.gone) do
-    for _, row in ipairs(fields.saved) do
-      write(objects[st.count + n], row, saved[row.name])
-    end
+    writeRows(objects[st.count + n], fields.saved, saved)
   end
   return odd
 end
@@ -353,9 +358,7 @@ function restore.world(world, st)
     objects, sentence, new = match(world, st, layers and recall.find(world, st, layers))
   end
   forget(b)
-  for _, row in ipairs(fields.savedSettings) do
-    write(world, row, st.settings[row.name], true)
-  end
+  writeRows(world, fields.savedSettings, st.settings, true)
   settings.apply(world)
   local odd = writeFields(b, st, objects)
   place(world, st, objects)
