@@ -9,8 +9,7 @@
 -- `--slopes`: games with slopes (spec/fuzz/sloped.lua).
 --
 -- `--game NAME` (or all): games of the kinds that are made, a platformer, survivors, breakout,
--- marbles, Sokoban, a factory, caves, an arena (spec/fuzz/games.lua), `--games N` of each kind, of
--- 600 frames.
+-- marbles, Sokoban, a factory, caves, an arena (spec/fuzz/games.lua), `--games N` of each kind.
 --
 -- A case that fails is made small and printed, for spec/fuzz/found.txt. Its seed
 -- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written
@@ -19,10 +18,11 @@
 package.path = "./?.lua;" .. package.path
 
 -- Every world is another one: with the usual limits the compiler would spend its time on throwing
--- traces away.
+-- traces away, and on compiling each variant of a loop.
 local jit = rawget(_G, "jit")
 if jit and jit.opt then
   jit.opt.start("maxtrace=20000", "maxmcode=60000", "sizemcode=256", "maxirconst=2000")
+  jit.opt.start("hotloop=300", "hotexit=200")
 end
 
 require("spec.support.pairs")
@@ -125,7 +125,7 @@ local function playKinds(names)
   local passed, failed = 0, 0
   for _, kind in ipairs(names) do
     for seed = options.seed, options.seed + options.games - 1 do
-      local failure = games.play(kind, seed, 600)
+      local failure = games.play(kind, seed)
       if failure then
         failed = failed + 1
         local text = "FAILED  %s, seed %d, frame %d: %s: %s"

@@ -76,12 +76,10 @@ describe("strength", function()
   end
 
   play.row(
-    "leaves no overlap of two that are put into each other: the {what} leaves",
+    "leaves no overlap of two put into each other: the {what} leaves",
     LEVELS,
     two,
-    {
-      { "run:play(1); one.x == x; other.x ~ x + 10, 1e-6" },
-    },
+    { { "run:play(1); one.x == x; other.x ~ x + 10, 1e-6" } },
     {
       "what, gap, one, other, x",
       { "second, weaker one", -4, ONE, {}, 0 },
@@ -150,25 +148,17 @@ describe("strength", function()
     return pushed, player.x - x
   end
 
-  small.rows(
-    "keeps a player where it stands among {1}, and lets it walk out",
-    { 40, 100 },
-    function(count)
-      local pushed, out = walkOut({ strength = 1, mass = 10 }, count, 3)
-      assert.near(0, pushed, 0.5)
-      assert.is_true(out > 120 and out < 299)
-    end
-  )
+  small.rows("keeps a player in its place among {1}, and lets it out", { 40, 100 }, function(count)
+    local pushed, out = walkOut({ strength = 1, mass = 10 }, count, 3)
+    assert.near(0, pushed, 0.5)
+    assert.is_true(out > 120 and out < 299)
+  end)
 
   -- (It stood in each step in which the rounds ran out: 23 px in 2 s.)
-  small.rows(
-    "lets it walk out of a crowd in which one of {1} is a circle",
-    { 1, 2 },
-    function(every)
-      local _, out = walkOut({ strength = 1, mass = 10 }, 36, 3, nil, every)
-      assert.is_true(out > 260, out)
-    end
-  )
+  small.rows("lets it walk out of a crowd, one of {1} a circle", { 1, 2 }, function(every)
+    local _, out = walkOut({ strength = 1, mass = 10 }, 36, 3, nil, every)
+    assert.is_true(out > 260, out)
+  end)
 
   -- The table of docs/topdown.md. (10 px: how the crowd lies changes with every version.)
   it("gets as far through a crowd as the page says #slow", function()

@@ -323,27 +323,16 @@ describe("friction: what is leaned on or pushed,", function()
     list.gravity = 1600
     return list
   end, {
-    {
-      2,
-      keep = "a.vx = 200",
-      "abs(b.vx) <= 200",
-      "abs(c.vx) <= 200",
-      "abs(d.vx) <= 200",
-    },
+    { 2, keep = "a.vx = 200", "abs(b.vx) <= 200", "abs(c.vx) <= 200", "abs(d.vx) <= 200" },
   }, { "mass", { 5 }, { 1000 } })
 
   local BELT = scene.maker("floors", { static = true, surfaceSpeed = -20 })
-  play.row(
-    "stands on a belt: goes along with the lift, also if that touches the one on it",
-    THIRTY,
-    {
-      BELT("floor", -9000, 0, 18000, 16),
-      scene.maker("boxes", { friction = 1 })("low", 0, -20, 30, 20),
-      scene.maker("boxes", { friction = 1 })("high", 0, -40, 30, 20),
-      scene.maker("lifts", { kinematic = true, vx = 50 })("lift", -37, -24, 20, 24),
-    },
-    { 1 / 3, { 1, "low.vx ~ 50", "high.x ~ low.x" } }
-  )
+  play.row("stands on a belt: goes along with the lift, also touching what is on it", THIRTY, {
+    BELT("floor", -9000, 0, 18000, 16),
+    scene.maker("boxes", { friction = 1 })("low", 0, -20, 30, 20),
+    scene.maker("boxes", { friction = 1 })("high", 0, -40, 30, 20),
+    scene.maker("lifts", { kinematic = true, vx = 50 })("lift", -37, -24, 20, 24),
+  }, { 1 / 3, { 1, "low.vx ~ 50", "high.x ~ low.x" } })
 
   -- Four on each other and their pusher, in small steps.
   local FAST = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate = { 960 } }

@@ -124,12 +124,7 @@ describe("draw", function()
     { "the slope left", { slope = "left" }, nil, "polygon fill 26 36 10 20 10 36" },
     { "the slope topright", { slope = "topright" }, nil, "polygon fill 10 20 26 36 26 20" },
     { "the slope topleft", { slope = "topleft" }, nil, "polygon fill 26 20 10 36 10 20" },
-    {
-      "an outline of one",
-      { slope = "left", sensor = true },
-      nil,
-      "polygon line 26 36 10 20 10 36",
-    },
+    { "its outline", { slope = "left", sensor = true }, nil, "polygon line 26 36 10 20 10 36" },
     -- from the middle to where it is in 0.1 s: 2 px thick, and a square of 4 px at its end
     {
       "velocity if asked",

@@ -310,29 +310,25 @@ describe("world:update", function()
     end)
   end)
 
-  small.rows(
-    "refuses a bad {1} when it would be called, and loses no event",
-    { "onBegin", "onEnd" },
-    function(name)
-      local world, told = physics.newWorld({ gravity = 0 }), { count = 0 }
-      local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
-      local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
-      wall[name] = function()
-        told.count = told.count + 1
-      end
-      world:update(1 / 60)
-      box[name], box.vx = "bang", 960
-      refuses("objects.boxes[1]." .. name .. ' must be a function, got "bang"', function()
-        world:update(1 / 60)
-        box.vx = -960
-        world:update(1 / 60)
-      end)
-      assert.equal(0, told.count)
-      box[name] = nil
-      world:update(1 / 60)
-      assert.equal(1, told.count)
+  small.rows("refuses a bad {1}, and loses no event", { "onBegin", "onEnd" }, function(name)
+    local world, told = physics.newWorld({ gravity = 0 }), { count = 0 }
+    local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
+    local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+    wall[name] = function()
+      told.count = told.count + 1
     end
-  )
+    world:update(1 / 60)
+    box[name], box.vx = "bang", 960
+    refuses("objects.boxes[1]." .. name .. ' must be a function, got "bang"', function()
+      world:update(1 / 60)
+      box.vx = -960
+      world:update(1 / 60)
+    end)
+    assert.equal(0, told.count)
+    box[name] = nil
+    world:update(1 / 60)
+    assert.equal(1, told.count)
+  end)
 end)
 
 local ADD = "world:add(group, object): "

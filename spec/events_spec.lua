@@ -294,10 +294,7 @@ describe("onEnd is told exactly once", function()
 end)
 
 describe("onBegin", function()
-  row("may be set and taken away at any time, of a static object, too", {
-    FLOOR,
-    box({ restitution = 1 }),
-  }, {
+  row("may come and go at any time, of a static object, too", { FLOOR, box({ restitution = 1 }) }, {
     { "begins = 0", 0.5 },
     "function count() begins = begins + 1 end",
     { "box.raw.onBegin = count", 2, "begins > 0" },
@@ -329,10 +326,7 @@ describe("onBegin", function()
     assert.is_true(last.y > 200)
   end)
 
-  row("may put the velocity that it wants, and it counts from the next step on", {
-    FLOOR,
-    box({ y = 80 }),
-  }, {
+  row("may put a velocity, which counts from the next step on", { FLOOR, box({ y = 80 }) }, {
     "function box.raw.onBegin(self) self.vy = -400 end",
     { "highest = 100", { 2, keep = "highest = min(highest, box.y)" }, "highest ~ 84 - 100, 0.2" },
   })
@@ -527,85 +521,34 @@ describe("onBegin, onStay: the normal", function()
   end
 
   local function ballAt(x, y, fields)
-    fields.x, fields.y, fields.radius = x - 8, y - 8, 8
-    fields.width, fields.height = 16, 16
-    return fields
+    return small.put(x - 8, y - 8, 16, 16, small.set({ radius = 8 }, fields))
   end
 
-  local SCENES = {
-    {
-      "a box at a wall",
-      -1,
-      0,
-      function()
-        return 0, newBox(0, 0, { vx = 120 }), newBox(30, 0, { static = true })
-      end,
-    },
-    {
-      "a box below a ceiling",
-      0,
-      1,
-      function()
-        return 0, newBox(0, 40, { vy = -120 }), newBox(0, 10, { static = true })
-      end,
-    },
-    {
-      "a ball at a round bumper",
-      -0.8,
-      -0.6,
-      function()
-        local bumper = ballAt(100, 100, { static = true })
-        return 0, ballAt(100 - 0.8 * 46, 100 - 0.6 * 46, { vx = 240, vy = 180 }), bumper
-      end,
-    },
-    {
-      "a ball that bounces off a bumper",
-      -0.8,
-      -0.6,
-      function()
-        local bumper = ballAt(100, 100, { static = true, restitution = 1 })
-        return 0, ballAt(100 - 0.8 * 46, 100 - 0.6 * 46, { vx = 240, vy = 180 }), bumper
-      end,
-    },
-    {
-      "a ball at a corner",
-      -root,
-      -root,
-      function()
-        return 0, ballAt(60, 60, { vx = 200, vy = 200 }), newBox(100, 100, { static = true })
-      end,
-    },
-    {
-      "a box on a slope",
-      -root,
-      -root,
-      function()
-        local slope = { x = 0, y = 100, width = 100, height = 100, slope = "right", static = true }
-        return 800, newBox(20, 130), slope
-      end,
-    },
-    {
-      "a box beyond the crest of a slope",
-      0,
-      -1,
-      function()
-        local slope = { x = 0, y = 100, width = 100, height = 100, slope = "right", static = true }
-        return 800, newBox(95, 70), slope
-      end,
-    },
-  }
-  for _, scene_ in ipairs(SCENES) do
-    local name, nx, ny, make = scene_[1], scene_[2], scene_[3], scene_[4]
+  -- The mover flies or falls; the other one is static.
+  local WALL, CEILING = newBox(30, 0), newBox(0, 10)
+  local BUMPER, CORNER = ballAt(100, 100), newBox(100, 100)
+  local SLOPE = small.put(0, 100, 100, 100, { slope = "right" })
+  local function hit(fields)
+    return ballAt(100 - 0.8 * 46, 100 - 0.6 * 46, small.set({ vx = 240, vy = 180 }, fields))
+  end
+  for _, given in ipairs({
+    { "a box at a wall", -1, 0, 0, newBox(0, 0, { vx = 120 }), WALL },
+    { "a box below a ceiling", 0, 1, 0, newBox(0, 40, { vy = -120 }), CEILING },
+    { "a ball at a round bumper", -0.8, -0.6, 0, hit(), BUMPER },
+    { "a ball that bounces off it", -0.8, -0.6, 0, hit({ restitution = 1 }), BUMPER },
+    { "a ball at a corner", -root, -root, 0, ballAt(60, 60, { vx = 200, vy = 200 }), CORNER },
+    { "a box on a slope", -root, -root, 800, newBox(20, 130), SLOPE },
+    { "a box beyond the crest of a slope", 0, -1, 800, newBox(95, 70), SLOPE },
+  }) do
+    local name, nx, ny, gravity, mover, other = small.unpack(given)
     for _, event in ipairs({ "onBegin", "onStay" }) do
-      local bounces = name:find("bounces", 1, true)
-      for state = 1, (event == "onStay" and bounces) and 0 or 16, 15 do
+      for state = 1, (event == "onStay" and mover.restitution) and 0 or 16, 15 do
         it(("leads away from the other object: %s, %s, %d"):format(name, event, state), function()
-          local gravity, mover, other = make()
-          local heard = hear(event, gravity, mover, other, state)
+          local one, its = small.set({}, mover), small.set({ static = true }, other)
+          local heard = hear(event, gravity, one, its, state)
           assert.near(nx, heard.x, 1e-9)
           assert.near(ny, heard.y, 1e-9)
-          assert.are.equal(-heard.x, heard.ox)
-          assert.are.equal(-heard.y, heard.oy)
+          assert.same({ -heard.x, -heard.y }, { heard.ox, heard.oy })
           for _, value in pairs(heard) do
             assert.are_not.equal(-math.huge, 1 / value) -- no -0
           end

@@ -12,16 +12,14 @@ for _, list in ipairs({ "objects", "area", "settings" }) do
   local names = {}
   for _, row in ipairs(fields[list]) do
     local name, type = row.name, row.type
-    it(
-      (list == "area" and "area." or "") .. name .. ": its row of " .. list .. " is well formed",
-      function()
-        assert.is_nil(names[name])
-        names[name] = true
-        assert.matches("^[%u`].+%.$", row.meaning)
-        assert.equal(type == "function", row.signature ~= nil)
-        assert.equal(type == "string", row.values ~= nil)
-      end
-    )
+    local title = (list == "area" and "area." or "") .. name
+    it(title .. ": its row of " .. list .. " is well formed", function()
+      assert.is_nil(names[name])
+      names[name] = true
+      assert.matches("^[%u`].+%.$", row.meaning)
+      assert.equal(type == "function", row.signature ~= nil)
+      assert.equal(type == "string", row.values ~= nil)
+    end)
   end
 end
 

@@ -116,13 +116,7 @@ describe("soft: objects", function()
     { "by their masses", { mass = 3 }, {}, 0.25, 0.75 },
     { "with one that is not pushable", { pushable = false }, {}, 0, 1 },
     { "with one that is kinematic", { kinematic = true }, {}, 0, 1 },
-    {
-      "equally if both are not pushable: not at all",
-      { pushable = false },
-      { pushable = false },
-      0,
-      0,
-    },
+    { "not at all if both are not pushable", { pushable = false }, { pushable = false }, 0, 0 },
   }, function(_, one, other, first, second)
     local world, a, b = pair(one, other)
     run(world, 30)
@@ -319,23 +313,19 @@ describe("soft: a crowd", function()
   end)
 end)
 
-describe("soft: the setting", function()
-  it("must name groups of the world, if that is checked", function()
-    local world = newWorld({ enemies = { enemeis = 5 } }, { checked = true })
-    world:add("enemies", box(0, 0))
-    local words = "world.soft.enemies: there is no group enemeis, did you mean enemies?"
-    small.refuses(words, world.update, world, DT)
-  end)
+it("soft: the setting must name groups of the world, if that is checked", function()
+  local world = newWorld({ enemies = { enemeis = 5 } }, { checked = true })
+  world:add("enemies", box(0, 0))
+  local words = "world.soft.enemies: there is no group enemeis, did you mean enemies?"
+  small.refuses(words, world.update, world, DT)
 end)
 
-describe("soft: two of different heights", function()
-  it("part sideways if their middles are equally high, whatever their heights", function()
-    local world = physics.newWorld({ gravity = 0, soft = { mites = { mites = 100 } } })
-    local low = world:add("mites", { x = 0, y = 0, width = 20, height = 10 })
-    local tall = world:add("mites", { x = 10, y = -10, width = 20, height = 30 })
-    small.run(world, 30)
-    assert.near(0, low.y, 1e-9)
-    assert.near(-10, tall.y, 1e-9)
-    assert.is_true(low.x < -1 and tall.x > 11, "they should part")
-  end)
+it("soft: two of different heights part sideways if their middles are equally high", function()
+  local world = physics.newWorld({ gravity = 0, soft = { mites = { mites = 100 } } })
+  local low = world:add("mites", { x = 0, y = 0, width = 20, height = 10 })
+  local tall = world:add("mites", { x = 10, y = -10, width = 20, height = 30 })
+  small.run(world, 30)
+  assert.near(0, low.y, 1e-9)
+  assert.near(-10, tall.y, 1e-9)
+  assert.is_true(low.x < -1 and tall.x > 11, "they should part")
 end)

@@ -3,8 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "88275635327181",
-  games5000001 = "277068820",
-  games5000004 = "156258175",
-  games5000009 = "1726893629",
-  wild = "1552022577",
+  games5000001 = "328745597",
+  games5000004 = "1951190135",
+  games5000009 = "1651217118",
 }

@@ -25,9 +25,7 @@ describe("examples/kit/lift.lua: a lift", function()
   local function newLift(points, settings, objects, fields)
     local world = kit.world(objects, { "lift" })
     local platform = { x = 40, y = 300, width = 80, height = 16, kinematic = true }
-    for name, value in pairs(fields or {}) do
-      platform[name] = value
-    end
+    small.set(platform, fields)
     world:add("lifts", platform)
     platform.lift = lift.new(platform, points, settings)
     local seen = { crushed = 0, places = {} }
@@ -113,20 +111,17 @@ describe("examples/kit/lift.lua: a lift", function()
     assert.is_true(object.crushes >= 1)
   end)
 
-  it(
-    "sinks onto the ground beside a player, and does not stop for one below a one-way lift",
-    function()
-      local oneWay = { oneWay = "top" }
-      local world, platform, each = newLift({ { 0, 0 }, { 0, 84 } }, {}, {}, oneWay)
-      rider(world, 60, 360)
-      kit.play(world, 70, each)
-      assert.equal(384, platform.y)
-      world, platform, each = newLift({ { 0, 0 }, { 0, 84 } })
-      rider(world, 60, 360)
-      kit.play(world, 70, each)
-      assert.near(344, platform.y, 1.4) -- above its head
-    end
-  )
+  it("sinks onto the ground beside a player, not stopped by one below a one-way lift", function()
+    local oneWay = { oneWay = "top" }
+    local world, platform, each = newLift({ { 0, 0 }, { 0, 84 } }, {}, {}, oneWay)
+    rider(world, 60, 360)
+    kit.play(world, 70, each)
+    assert.equal(384, platform.y)
+    world, platform, each = newLift({ { 0, 0 }, { 0, 84 } })
+    rider(world, 60, 360)
+    kit.play(world, 70, each)
+    assert.near(344, platform.y, 1.4) -- above its head
+  end)
 
   it("refuses what is no path, and settings that do not exist", function()
     local one = "lift: a path has two points or more"
@@ -367,9 +362,7 @@ describe("examples/kit/bullet.lua: a bullet", function()
     end
     world:add("players", { x = 100, y = 360, width = 20, height = 40, health = 9 })
     local shot = { x = 105, y = 370, width = 6, height = 4, vx = 900, owner = "players" }
-    for name, value in pairs(fields or {}) do
-      shot[name] = value
-    end
+    small.set(shot, fields)
     world:update(DT)
     bullet.shoot(world, "bullets", shot)
     hits = {}

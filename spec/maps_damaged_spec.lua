@@ -60,8 +60,10 @@ local function tryTiles(level)
   end
 end
 
-describe("loadTiled and loadLDtk: a damaged map", function()
-  small.rows("of {1} is loaded or refused, and never half", { "Tiled", "LDtk" }, function(kind)
+small.rows(
+  "loadTiled and loadLDtk: a damaged one of {1} is refused or whole",
+  { "Tiled", "LDtk" },
+  function(kind)
     local loaded, refused = 0, 0
     for seed = 1, effort.share(300, 100) do
       local generator = random.new(seed * 31)
@@ -91,5 +93,5 @@ describe("loadTiled and loadLDtk: a damaged map", function()
       end
     end
     assert.is_true(loaded > 10 and refused > 10)
-  end)
-end)
+  end
+)

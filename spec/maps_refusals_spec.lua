@@ -168,10 +168,7 @@ describe("world:loadTiled refuses", function()
     { { solidProperty = true }, "solidProperty must be a name, got true" },
     { { solidTiles = 5 }, "solidTiles must be a list of gids, got 5" },
     { { solidTiles = { 0 } }, "solidTiles[1] must be a gid, got 0" },
-    {
-      { kinds = { Crate = "box" } },
-      'kinds.Crate must be "static", "dynamic", "kinematic" …',
-    },
+    { { kinds = { Crate = "box" } }, 'kinds.Crate must be "static", "dynamic", "kinematic" …' },
     { { ellipses = "oval" }, 'ellipses must be "box" or "circle", got "oval"' },
     { { project = { propertyTypes = { 5 } } }, "the map is damaged: …" },
     { { wallWords = "wall" }, 'wallWords must be a list of names, got "wall"' },
@@ -257,10 +254,7 @@ describe("world:loadLDtk refuses", function()
     },
     { { groups = { Player = true } }, 'layer "Entities", entity "Player": group must be a …' },
     { { onlyLayers = { "Wall" } }, 'onlyLayers[1] must be a layer of the level, got "Wall"; …' },
-    {
-      { kinds = { Player = 5 } },
-      'kinds.Player must be "static", "dynamic", "kinematic" or …',
-    },
+    { { kinds = { Player = 5 } }, 'kinds.Player must be "static", "dynamic", "kinematic" or …' },
   }, function(options, words)
     refuses(words, "loadLDtk", ldtk.cave(), nil, options)
   end)

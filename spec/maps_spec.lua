@@ -380,48 +380,41 @@ describe("loadTiled: a level", function()
   end)
 end)
 
-describe("loadLDtk: a level", function()
-  it("takes groups of values and tags of entities for kinds", function()
-    local cells = ldtk.intGrid("Cells", { "123" })
-    local box = ldtk.entity("Box", 32, 32, 16, 16, nil, { __tags = { "movable" } })
-    local project = ldtk.project(
-      { ldtk.level("Cave", { ldtk.entities("Things", { box }), cells }) },
-      { "dirt", "stone", "fog" }
-    )
-    local definition = project.defs.layers[1]
-    definition.intGridValuesGroups = { { uid = 4, identifier = "Hard" } }
-    definition.intGridValues[1].groupUid, definition.intGridValues[2].groupUid = 4, 4
-    local options =
-      { solid = { Hard = true, stone = { sensor = true } }, kinds = { movable = "dynamic" } }
-    local level = physics.newWorld():loadLDtk(project, nil, options)
-    assert.same({ 1, 1, 1 }, { #level.walls, #level.sensors, #level.dynamic })
-    definition.intGridValuesGroups[1].identifier = "Walls"
-    assert.equal(32, physics.newWorld():loadLDtk(project).walls[1].width)
-  end)
+it("loadLDtk: a level takes groups of values and tags of entities for kinds", function()
+  local cells = ldtk.intGrid("Cells", { "123" })
+  local box = ldtk.entity("Box", 32, 32, 16, 16, nil, { __tags = { "movable" } })
+  local project = ldtk.project(
+    { ldtk.level("Cave", { ldtk.entities("Things", { box }), cells }) },
+    { "dirt", "stone", "fog" }
+  )
+  local definition = project.defs.layers[1]
+  definition.intGridValuesGroups = { { uid = 4, identifier = "Hard" } }
+  definition.intGridValues[1].groupUid, definition.intGridValues[2].groupUid = 4, 4
+  local options =
+    { solid = { Hard = true, stone = { sensor = true } }, kinds = { movable = "dynamic" } }
+  local level = physics.newWorld():loadLDtk(project, nil, options)
+  assert.same({ 1, 1, 1 }, { #level.walls, #level.sensors, #level.dynamic })
+  definition.intGridValuesGroups[1].identifier = "Walls"
+  assert.equal(32, physics.newWorld():loadLDtk(project).walls[1].width)
 end)
 
-describe("world:loadTiled and world:loadLDtk, classes", function()
-  it("gives the objects of a class their metatable, of Tiled and of LDtk", function()
-    local Class = { speed = 7 }
-    Class.__index = Class
-    local level = physics.newWorld():loadLDtk(ldtk.cave(), nil, { classes = { Player = Class } })
-    local named = level.named
-    assert.same(
-      { Class, 7, 3 },
-      { getmetatable(named.Player), named.Player.speed, named.Player.lives }
-    )
-    assert.is_nil(named.Door.speed)
-    local path = "spec/maps/course.lua"
-    named = physics.newWorld():loadTiled(path, { classes = { enemy = Class } }).named
-    assert.same(
-      { Class, 7, 12 },
-      { getmetatable(named.slime), named.slime.speed, named.slime.width }
-    )
-    assert.is_nil(named.lift.speed)
-    local words = "classes.enemy must be a table, got 1"
-    local world = physics.newWorld()
-    small.refuses(words, world.loadTiled, world, path, { classes = { enemy = 1 } })
-  end)
+it("world:loadTiled and world:loadLDtk give the objects of a class its metatable", function()
+  local Class = { speed = 7 }
+  Class.__index = Class
+  local level = physics.newWorld():loadLDtk(ldtk.cave(), nil, { classes = { Player = Class } })
+  local named = level.named
+  assert.same(
+    { Class, 7, 3 },
+    { getmetatable(named.Player), named.Player.speed, named.Player.lives }
+  )
+  assert.is_nil(named.Door.speed)
+  local path = "spec/maps/course.lua"
+  named = physics.newWorld():loadTiled(path, { classes = { enemy = Class } }).named
+  assert.same({ Class, 7, 12 }, { getmetatable(named.slime), named.slime.speed, named.slime.width })
+  assert.is_nil(named.lift.speed)
+  local words = "classes.enemy must be a table, got 1"
+  local world = physics.newWorld()
+  small.refuses(words, world.loadTiled, world, path, { classes = { enemy = 1 } })
 end)
 
 describe("level:addMap and level:removeMap: a world of several maps", function()

@@ -69,22 +69,19 @@ describe("world:loadTiled, layers", function()
   expected = expected:format("a") .. "; " .. expected:format("b")
   tiled.row("of a map of hexagons", map({ a, b }, nil, { orientation = "hexagonal" }), expected)
 
-  it(
-    "may be empty groups, are added behind what is there, and share nothing with the map",
-    function()
-      local world, mask = physics.newWorld(), { players = false }
-      local first = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
-      local given = things({ box(0), box(9) }, { properties = { mask = mask } })
-      given.layers[2] = tiled.objects(2, "empty", {})
-      local before = tiled.copy(given)
-      local level = world:loadTiled(given, { kinds = { things = "dynamic" } })
-      local one, other = level.objects[1], level.objects[2]
-      assert.same({ first, one, other }, world.objects.things)
-      assert.same({ {}, false }, { world.objects.empty, one.touching.bottom })
-      one.mask.players = true
-      assert.same({ false, before }, { other.mask.players, given })
-    end
-  )
+  it("may be empty, are added behind what is there, and share nothing with the map", function()
+    local world, mask = physics.newWorld(), { players = false }
+    local first = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
+    local given = things({ box(0), box(9) }, { properties = { mask = mask } })
+    given.layers[2] = tiled.objects(2, "empty", {})
+    local before = tiled.copy(given)
+    local level = world:loadTiled(given, { kinds = { things = "dynamic" } })
+    local one, other = level.objects[1], level.objects[2]
+    assert.same({ first, one, other }, world.objects.things)
+    assert.same({ {}, false }, { world.objects.empty, one.touching.bottom })
+    one.mask.players = true
+    assert.same({ false, before }, { other.mask.players, given })
+  end)
 
   it("of an infinite map are parts in any order, which merge", function()
     local given = tiled.infinite()

@@ -114,8 +114,7 @@ describe("world:loadTiled, tiles", function()
     zone = { { id = 0, properties = { area = { gravity = 5 } } } },
   }
   tiled.text(
-    [[
-by a property of another name | ground | #515 | tiles = "word", solidProperty = "hard"
+    [[by a property of any name | ground | #515 | tiles = "word", solidProperty = "hard"
   ground 0 0 16 16 static; ground 32 0 16 16 static
 by their shapes, unless they say no | ground | #5567 | tiles = "low"
   ground 0 8 32 8 static
@@ -372,18 +371,14 @@ describe("world:loadTiled, tilesets in files of their own", function()
     assert.is_nil(map.tilesets[1].tilewidth) -- the map is as it was
   end)
 
-  small.rows(
-    "are read from where a map by path lies: {1}",
-    { "", "./", "nowhere/../" },
-    function(way)
-      local _, name = write(SET)
-      local folder, map = write(([[return { orientation = "orthogonal", width = 2, height = 1,
+  small.rows("are read from where a map lies: {1}", { "", "./", "nowhere/../" }, function(way)
+    local _, name = write(SET)
+    local folder, map = write(([[return { orientation = "orthogonal", width = 2, height = 1,
       tilewidth = 16, tileheight = 16, tilesets = { { firstgid = 1, filename = "e.tsx",
       exportfilename = "%s" } }, layers = { { type = "tilelayer", id = 1, name = "land",
       width = 2, height = 1, data = { 1, 2 } } } }]]):format(way .. name))
-      assert.equal(1, (load(folder .. "/" .. map)).tiles)
-    end
-  )
+    assert.equal(1, (load(folder .. "/" .. map)).tiles)
+  end)
 
   it("are looked for by love.filesystem without any .., as maps are", function()
     local asked, filesystem = {}, {}

@@ -4,6 +4,7 @@
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 
 local LEVELS = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = { 0, 2 } }
 LEVELS.rate, LEVELS.broadphase = { 30, 60, 144, 1000 }, { "grid" }
@@ -63,29 +64,23 @@ describe("maxSpeed: a velocity that the game writes towards a wall", function()
   --  vx 100 ->  +--+ |   The wall takes vx. The body falls as fast as maxSpeed allows, flush, at
   --             +--+ |   every rate. Seen from above, it goes on along the wall.
   --              |   |
-  for _, r in ipairs({
-    -- gravity, vx and vy that are written, y in the second after 2 s
-    { 800, 100, nil, 100 },
-    { 800, 300, nil, 100 },
-    { 0, 100, 100, 100 },
-    { 0, 100, 20, 20 },
-  }) do
-    for _, rate in ipairs({ 30, 60, 144 }) do
-      it(("gravity %d, (%d, %s), %d Hz"):format(r[1], r[2], tostring(r[3]), rate), function()
-        local world = physics.newWorld({ gravity = r[1] })
-        world:add("walls", { x = 20, y = -900, width = 10, height = 2000, static = true })
-        local man = world:add("men", { x = -10, y = 0, width = 20, height = 20, maxSpeed = 100 })
-        local before
-        for n = 1, 3 * rate do
-          man.vx, man.vy = r[2], r[3] or man.vy
-          world:update(1 / rate)
-          before = n == 2 * rate and man.y or before
-          assert.is_true(n < rate or (man.x == 0 and man.vx == 0))
-        end
-        assert.near(r[4], man.y - before, 1e-9)
-      end)
+  -- gravity, vx and vy that are written, y in the second after 2 s
+  local list =
+    { { 800, 100, false, 100 }, { 800, 300, false, 100 }, { 0, 100, 100, 100 }, { 0, 100, 20, 20 } }
+  local cases = small.cross(list, { 30, 60, 144 })
+  small.rows("gravity {1}, ({2}, {3}), {5} Hz", cases, function(gravity, vx, vy, expected, rate)
+    local world = physics.newWorld({ gravity = gravity })
+    world:add("walls", small.tile(20, -900, 10, 2000))
+    local man = world:add("men", small.put(-10, 0, 20, 20, { maxSpeed = 100 }))
+    local before
+    for n = 1, 3 * rate do
+      man.vx, man.vy = vx, vy or man.vy
+      world:update(1 / rate)
+      before = n == 2 * rate and man.y or before
+      assert.is_true(n < rate or (man.x == 0 and man.vx == 0))
     end
-  end
+    assert.near(expected, man.y - before, 1e-9)
+  end)
 end)
 
 describe("ax and maxSpeedX: an engine that pushes at its limit", function()

@@ -25,23 +25,17 @@ local INSIDE = body({ y = 200 })
 
 describe("area: a zone", function()
   -- Inside from the beginning: 1 s under a constant acceleration, exact at every rate.
-  play.row(
-    "area.gravity, area.gravityX, area.ax and area.ay act on what is in it: {what}",
-    RATES,
-    function(v)
-      return { zone(v.area), INSIDE }
-    end,
-    { 1, "body at 180 + dx, 200 + dy, 1e-9" },
-    {
-      "what, area, dx, dy",
-      { "gravity", { gravity = 100 }, 0, 50 },
-      { "no gravity", { gravity = 0 }, 0, 0 },
-      { "a gravity that lifts", { gravity = -100 }, 0, -50 },
-      { "gravity sideways", { gravity = 0, gravityX = 60 }, 30, 0 },
-      { "wind", { gravity = 0, ax = 40, ay = -20 }, 20, -10 },
-      { "wind besides gravity", { ax = 40, ay = -760 }, 20, 20 },
-    }
-  )
+  play.row("area.gravity, area.gravityX, area.ax and area.ay act: {what}", RATES, function(v)
+    return { zone(v.area), INSIDE }
+  end, { 1, "body at 180 + dx, 200 + dy, 1e-9" }, {
+    "what, area, dx, dy",
+    { "gravity", { gravity = 100 }, 0, 50 },
+    { "no gravity", { gravity = 0 }, 0, 0 },
+    { "a gravity that lifts", { gravity = -100 }, 0, -50 },
+    { "gravity sideways", { gravity = 0, gravityX = 60 }, 30, 0 },
+    { "wind", { gravity = 0, ax = 40, ay = -20 }, 20, -10 },
+    { "wind besides gravity", { ax = 40, ay = -760 }, 20, 20 },
+  })
 
   -- k = 2 and 40 px/s² off 100 px/s: to -20 px/s, if it did not stop
   local SLOWED = body({ y = 200, vx = 100, airFriction = 0.5, drag = 10 })
@@ -55,13 +49,10 @@ describe("area: a zone", function()
   local AT_RIM = body({ x = 310, y = 350 })
   local PLATE = zone({ gravity = 0, ax = 100 }, { y = 0, height = 400, radius = 200 })
   play.row(
-    "radius: acts on what is at its round rim by the share inside",
+    "radius: acts on what is at its rim by the share inside",
     RATES,
     { PLATE, AT_RIM },
-    {
-      { steps = 1 },
-      "body.vx ~ 50 * dt, 1e-9; body.vy ~ 400 * dt, 1e-9",
-    }
+    { { steps = 1 }, "body.vx ~ 50 * dt, 1e-9; body.vy ~ 400 * dt, 1e-9" }
   )
 
   -- px that a second order method loses at an edge or around a centre, after 2 s, against 240 Hz:
@@ -101,24 +92,18 @@ describe("area: a zone", function()
     scene.thing("tiles", { static = true, x = 160, y = 300, width = 400, height = 20 })(),
     scene.thing("tiles", { static = true, x = 140, y = 0, width = 20, height = 300 })(),
   }
-  play.row(
-    "area.airFriction: what lands in water, or swims to a wall, has speed 0",
-    RATES,
-    function(v)
-      COAST[5] = body({ x = 300, y = 100 + v.off, vy = 300 })
-      COAST[6] = body({ name = "other", x = 190 + v.off, y = 100, vx = -300 })
-      return COAST
-    end,
+  play.row("area.airFriction: what lands in water, or at a wall, has speed 0", RATES, function(v)
+    COAST[5] = body({ x = 300, y = 100 + v.off, vy = 300 })
+    COAST[6] = body({ name = "other", x = 190 + v.off, y = 100, vx = -300 })
+    return COAST
+  end, {
     {
-      {
-        1.5,
-        "body.vy * (body.raw.touching.bottom and 1 or 0) == 0",
-        "other.vx * (other.raw.touching.left and 1 or 0) == 0",
-      },
-      "body touches bottom; other touches left",
+      1.5,
+      "body.vy * (body.raw.touching.bottom and 1 or 0) == 0",
+      "other.vx * (other.raw.touching.left and 1 or 0) == 0",
     },
-    { "off", { 0 }, { 0.5 }, { 3.1 }, { 4.7 } }
-  )
+    "body touches bottom; other touches left",
+  }, { "off", { 0 }, { 0.5 }, { 3.1 }, { 4.7 } })
 
   -- 800 (1 - share) - 800 share = 0
   local WATER = { zone({ gravity = -800, airFriction = 4 }), body() }
@@ -147,17 +132,13 @@ describe("area: a zone", function()
   -- A body that reaches 20 of its 30 px into a disc of 100 px, below and beside its middle.
   local DISC = zone({ ax = 1 }, { y = 0, width = 100, height = 100, radius = 50 })
   play.row(
-    "area.ax acts by the share of a body in a disc: {width} by {height} px",
+    "area.ax acts by the share of a body in a disc: {width} x {height}",
     ONCE,
     function(v)
       return { gravity = 0, DISC, body(v) }
     end,
     { "run:step(1e-3)", "body.vx / 1e-3 ~ 2 / 3, 1e-6" },
-    {
-      "x, y, width, height",
-      { 45, 80, 10, 30 },
-      { 80, 45, 30, 10 },
-    }
+    { "x, y, width, height", { 45, 80, 10, 30 }, { 80, 45, 30, 10 } }
   )
 
   local CALM = zone({ gravity = 0, attract = 4000, law = "square", airFriction = 20 }, ROUND)

@@ -194,21 +194,17 @@ describe("add, remove and refresh", function()
     assert.equal(2, world.stats.objects)
   end)
 
-  row(
-    "refresh and static: an object is made dynamic and back",
-    { FLOOR, box({ y = 0, static = true }) },
+  row("refresh and static: made dynamic, and back", { FLOOR, box({ y = 0, static = true }) }, {
+    { steps = 10 },
+    { "box.static = nil", { steps = 10 }, "box.y == 0" },
+    { "world:refresh(box.raw)", 1, "box.y == 84", "box.touching.bottom == floor" },
     {
-      { steps = 10 },
-      { "box.static = nil", { steps = 10 }, "box.y == 0" },
-      { "world:refresh(box.raw)", 1, "box.y == 84", "box.touching.bottom == floor" },
-      {
-        "box.static, box.vx = true, 100",
-        "world:refresh(box.raw)",
-        "box.touching.bottom == false",
-      },
-      { "upper = world:add('boxes', newBox(0, 40))", 1, "upper.y == 68", "box.x == 0" },
-    }
-  )
+      "box.static, box.vx = true, 100",
+      "world:refresh(box.raw)",
+      "box.touching.bottom == false",
+    },
+    { "upper = world:add('boxes', newBox(0, 40))", 1, "upper.y == 68", "box.x == 0" },
+  })
 
   row("add of what was just removed touches what it touched, with rest = {rest}", function(v)
     return { rest = v.rest, FLOOR, box() }

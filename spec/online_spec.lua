@@ -1,11 +1,11 @@
 --- The example Online: football for two, with rollback over a line that delays and loses messages,
 --- both sides in one process. Two real processes play in `make test-online`.
 
-local example = require("spec.support.example")
-
-local football = example.require("football")
-local line = example.require("kit.line")
-local netplay = example.require("kit.netplay")
+-- (The examples require each other by their bare names.)
+local path = package.path
+package.path = path .. ";./examples/?.lua"
+local football, line, netplay = require("football"), require("kit.line"), require("kit.netplay")
+package.path = path
 
 local FRAME = 1 / 60
 
@@ -153,42 +153,35 @@ describe("examples/online.lua: a player", function()
   end)
 end)
 
-describe("examples/online.lua: a game that is no longer the same", function()
-  it(
-    "is named by both with its first field, and mended by the state of the first player",
-    function()
-      local match = newMatch(0.06, 0.02)
-      match[2]:join()
-      match.play(100)
-      match[2].game.players[1].goals = 5
-      match.play(60)
-      local pattern = "^step 120: players%[1%]%.goals is (%d+) here and (%d+) there$"
-      local mine, theirs = match[1].stats.desync:match(pattern)
-      assert.equal("0 5", mine .. " " .. theirs)
-      mine, theirs = match[2].stats.desync:match(pattern)
-      assert.equal("5 0", mine .. " " .. theirs)
-      assert.equal(0, match[2].game.players[1].goals)
-      local equal = match[2].stats.equal
-      match.play(200)
-      assert.is_true(match[2].stats.equal >= equal + 4)
-    end
-  )
+it("examples/online.lua: both name the first field that differs; one state mends", function()
+  local match = newMatch(0.06, 0.02)
+  match[2]:join()
+  match.play(100)
+  match[2].game.players[1].goals = 5
+  match.play(60)
+  local pattern = "^step 120: players%[1%]%.goals is (%d+) here and (%d+) there$"
+  local mine, theirs = match[1].stats.desync:match(pattern)
+  assert.equal("0 5", mine .. " " .. theirs)
+  mine, theirs = match[2].stats.desync:match(pattern)
+  assert.equal("5 0", mine .. " " .. theirs)
+  assert.equal(0, match[2].game.players[1].goals)
+  local equal = match[2].stats.equal
+  match.play(200)
+  assert.is_true(match[2].stats.equal >= equal + 4)
 end)
 
-describe("examples/kit/netplay.lua: a difference", function()
-  it("is found in tables of the game's own, too", function()
-    local world = football.new().world
-    world.ownFields = { "hero" }
-    world.objects.players[2].hero = { mood = "air", timers = { dash = 1 } }
-    local mine = world:save()
-    world.objects.players[2].hero.timers.dash = 2
-    local theirs = world:save()
-    local sentence = netplay.difference(world, mine, theirs)
-    assert.equal("players[2].hero.timers.dash is 1 here and 2 there", sentence)
-    assert.equal(2, world.objects.players[2].hero.timers.dash)
-    sentence = netplay.difference(world, mine, mine)
-    assert.equal("the fields are equal, but contacts or settings differ", sentence)
-  end)
+it("examples/kit/netplay.lua: a difference is found in tables of the game's own, too", function()
+  local world = football.new().world
+  world.ownFields = { "hero" }
+  world.objects.players[2].hero = { mood = "air", timers = { dash = 1 } }
+  local mine = world:save()
+  world.objects.players[2].hero.timers.dash = 2
+  local theirs = world:save()
+  local sentence = netplay.difference(world, mine, theirs)
+  assert.equal("players[2].hero.timers.dash is 1 here and 2 there", sentence)
+  assert.equal(2, world.objects.players[2].hero.timers.dash)
+  sentence = netplay.difference(world, mine, mine)
+  assert.equal("the fields are equal, but contacts or settings differ", sentence)
 end)
 
 describe("examples/kit/netplay.lua: a message", function()

@@ -100,78 +100,72 @@ describe("world:queryCircle", function()
     assert.are.equal(isFlush and 1 or expected, count)
   end)
 
-  small.rows(
-    "says what a plain loop says, and so do the other queries: {1}",
-    BROADPHASES,
-    function(broadphase)
-      local world, all, random = crowd({ broadphase = broadphase }, 3)
-      local found = 0
-      for turn = 1, 200 do
-        local x, y = random:between(-350, 350), random:between(-350, 350)
-        local r, filter = random:between(1, 90), turn % 2 == 0 and "fifth" or nil
-        local function isWanted(object)
-          return not filter or object.n % 5 == 0
-        end
-        local expected = numbersOf(all, function(object)
-          return isWanted(object) and distance({ x = x, y = y, r = r }, object) < -1e-6
-        end)
-        assert.are.equal(expected, told(world:queryCircle(x, y, r, filter)))
-        found = found + #tostring(expected) -- gopher-lua concatenates one number to a number
-        local rect = { x = x, y = y, width = r, height = 40 }
-        expected = numbersOf(all, function(object)
-          return isWanted(object) and distance(object, rect) < -1e-6
-        end)
-        assert.are.equal(expected, told(world:queryRect(x, y, r, 40, filter)))
-        expected = numbersOf(all, function(object)
-          return isWanted(object) and distance(object, { x = x, y = y, width = 0, height = 0 }) < 0
-        end)
-        assert.are.equal(expected, told(world:queryPoint(x, y, filter)))
-        local one = all[random:integer(1, #all)]
-        expected = numbersOf(all, function(object)
-          return object ~= one and distance(object, one) < -1e-6
-        end)
-        assert.are.equal(expected, told(world:overlapping(one)))
-        local nearest, px = world:nearest(x, y, 1000, filter)
-        for _, object in ipairs(all) do
-          if isWanted(object) then
-            local its = math.max(distance({ x = x, y = y, r = 0 }, object), 0)
-            assert.is_true(its >= px - 1e-9)
-            assert.is_true(object ~= nearest or math.abs(its - px) < 1e-9)
-          end
-        end
-        if turn % 20 == 0 then
-          world:update(1 / 60)
+  small.rows("says what a plain loop says, as do the others: {1}", BROADPHASES, function(broadphase)
+    local world, all, random = crowd({ broadphase = broadphase }, 3)
+    local found = 0
+    for turn = 1, 200 do
+      local x, y = random:between(-350, 350), random:between(-350, 350)
+      local r, filter = random:between(1, 90), turn % 2 == 0 and "fifth" or nil
+      local function isWanted(object)
+        return not filter or object.n % 5 == 0
+      end
+      local expected = numbersOf(all, function(object)
+        return isWanted(object) and distance({ x = x, y = y, r = r }, object) < -1e-6
+      end)
+      assert.are.equal(expected, told(world:queryCircle(x, y, r, filter)))
+      found = found + #tostring(expected) -- gopher-lua concatenates one number to a number
+      local rect = { x = x, y = y, width = r, height = 40 }
+      expected = numbersOf(all, function(object)
+        return isWanted(object) and distance(object, rect) < -1e-6
+      end)
+      assert.are.equal(expected, told(world:queryRect(x, y, r, 40, filter)))
+      expected = numbersOf(all, function(object)
+        return isWanted(object) and distance(object, { x = x, y = y, width = 0, height = 0 }) < 0
+      end)
+      assert.are.equal(expected, told(world:queryPoint(x, y, filter)))
+      local one = all[random:integer(1, #all)]
+      expected = numbersOf(all, function(object)
+        return object ~= one and distance(object, one) < -1e-6
+      end)
+      assert.are.equal(expected, told(world:overlapping(one)))
+      local nearest, px = world:nearest(x, y, 1000, filter)
+      for _, object in ipairs(all) do
+        if isWanted(object) then
+          local its = math.max(distance({ x = x, y = y, r = 0 }, object), 0)
+          assert.is_true(its >= px - 1e-9)
+          assert.is_true(object ~= nearest or math.abs(its - px) < 1e-9)
         end
       end
-      assert.is_true(found > 500)
+      if turn % 20 == 0 then
+        world:update(1 / 60)
+      end
     end
-  )
+    assert.is_true(found > 500)
+  end)
 end)
 
-describe("raycast and radius: a ray", function()
-  -- A circle of 20 px around (50, 50).
-  small.rows("meets a circle: {1}", {
-    { "through the middle", { 0, 50, 100, 50 }, { 30, 50, -1, 0, 0.3 } },
-    { "from above", { 50, 0, 50, 50 }, { 50, 30, 0, -1, 0.6 } },
-    { "off the middle", { 0, 34, 100, 34 }, { 38, 34, -0.6, -0.8, 0.38 } },
-    { "aslant", { 18, 24, 58, 44 }, { 38, 34, -0.6, -0.8, 0.5 } },
-    { "past it, through its square", { 0, 31, 32, 31 }, nil },
-    { "that ends before it", { 0, 50, 29, 50 }, nil },
-    { "from inside", { 50, 50, 100, 50 }, { 50, 50, 0, 0, 0 } },
-    { "without length inside", { 40, 50, 40, 50 }, { 40, 50, 0, 0, 0 } },
-    { "without length in the corner of its square", { 31, 31, 31, 31 }, nil },
-    { "away from it", { 29, 50, 0, 50 }, nil },
-  }, function(_, line, expected)
-    local world = physics.newWorld({ gravity = 0 })
-    local coin = world:add("coins", { x = 30, y = 30, radius = 20, sensor = true })
-    local hit = { world:raycast(small.unpack(line)) }
-    local _, count = world:querySegment(small.unpack(line))
-    assert.are.equal(expected and 1 or 0, count)
-    assert.are.equal(expected and coin or nil, hit[1])
-    for n = 1, expected and 5 or 0 do
-      assert.is_true(math.abs(expected[n] - hit[n + 1]) < 1e-9)
-    end
-  end)
+-- A circle of 20 px around (50, 50).
+small.rows("raycast and radius: a ray meets a circle: {1}", {
+  { "through the middle", { 0, 50, 100, 50 }, { 30, 50, -1, 0, 0.3 } },
+  { "from above", { 50, 0, 50, 50 }, { 50, 30, 0, -1, 0.6 } },
+  { "off the middle", { 0, 34, 100, 34 }, { 38, 34, -0.6, -0.8, 0.38 } },
+  { "aslant", { 18, 24, 58, 44 }, { 38, 34, -0.6, -0.8, 0.5 } },
+  { "past it, through its square", { 0, 31, 32, 31 }, nil },
+  { "that ends before it", { 0, 50, 29, 50 }, nil },
+  { "from inside", { 50, 50, 100, 50 }, { 50, 50, 0, 0, 0 } },
+  { "without length inside", { 40, 50, 40, 50 }, { 40, 50, 0, 0, 0 } },
+  { "without length in the corner of its square", { 31, 31, 31, 31 }, nil },
+  { "away from it", { 29, 50, 0, 50 }, nil },
+}, function(_, line, expected)
+  local world = physics.newWorld({ gravity = 0 })
+  local coin = world:add("coins", { x = 30, y = 30, radius = 20, sensor = true })
+  local hit = { world:raycast(small.unpack(line)) }
+  local _, count = world:querySegment(small.unpack(line))
+  assert.are.equal(expected and 1 or 0, count)
+  assert.are.equal(expected and coin or nil, hit[1])
+  for n = 1, expected and 5 or 0 do
+    assert.is_true(math.abs(expected[n] - hit[n + 1]) < 1e-9)
+  end
 end)
 
 describe("radius: a sensor with one", function()

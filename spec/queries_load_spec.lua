@@ -53,9 +53,7 @@ describe("world:load", function()
   small.rows("of a stack of three of mass 2 is 4 800 on {1}", GROUNDS, function(_, fields)
     for _, rate in ipairs(RATES) do
       local world, ground = physics.newWorld({ gravity = 800 }), groundOf({})
-      for name, value in pairs(fields) do
-        ground[name] = value
-      end
+      small.set(ground, fields)
       local stack = addStack(world, ground)
       run(world, 1.5 * rate, 1 / rate)
       for _ = 1, 2 do
@@ -157,15 +155,8 @@ describe("world:load", function()
     local world = physics.newWorld({ gravity = 800 })
     local scale = world:add("grounds", groundOf({ static = true }))
     local wall = world:add("walls", newBox(16, 84, { static = true }))
-    world:add("zones", {
-      x = -50,
-      y = 0,
-      width = 200,
-      height = 100,
-      static = true,
-      sensor = true,
-      area = { gravity = 200, ax = 30 },
-    })
+    local area = { gravity = 200, ax = 30 }
+    world:add("zones", small.tile(-50, 0, 200, 100, { sensor = true, area = area }))
     world:add("crates", newBox(0, 84, { mass = 3 }))
     run(world, 60)
     for _ = 1, 2 do

@@ -46,13 +46,7 @@ describe("world:move", function()
   small.rows("goes: {1}", {
     { "nothing in the way", "slide", { 15, 5 }, { 15, 5 }, "" },
     { "slide along a wall", "slide", { 40, 5 }, { 20, 5 }, "wall right slide" },
-    {
-      "slide into a corner",
-      "slide",
-      { 40, 40 },
-      { 20, 10 },
-      "floor bottom slide, wall right slide",
-    },
+    { "into a corner", "slide", { 40, 40 }, { 20, 10 }, "floor bottom slide, wall right slide" },
     { "slide over the floor", "slide", { 15, 40 }, { 15, 10 }, "floor bottom slide" },
     { "touch", "touch", { 40, 8 }, { 20, 4 }, "wall right touch" },
     { "cross", "cross", { 60, 0 }, { 60, 0 }, "wall right cross" },
@@ -131,19 +125,16 @@ describe("world:move", function()
   --       /|         up a slope, a steeper one that stands on it, and on at the height of its top
   --     _/ |
   --  _/____|__
-  small.rows(
-    "walks along two slopes to x = {1}",
-    { { 30, 84 }, { 60, 70 }, { 90, 40 }, { 150, 40 } },
-    function(toX, toY)
-      local world = physics.newWorld({ gravity = 800 })
-      local me = world:add("me", box(0, 90, 10, 10))
-      world:add("hills", box(10, 80, 100, 20, { static = true, slope = "right" }))
-      world:add("hills", box(40, 50, 60, 60, { static = true, slope = "right" }))
-      local x, y = world:move(me, toX, 90)
-      assert.are.near(toX, x, 1e-9)
-      assert.are.near(toY, y, 1e-9)
-    end
-  )
+  local PLACES = { { 30, 84 }, { 60, 70 }, { 90, 40 }, { 150, 40 } }
+  small.rows("walks along two slopes to x = {1}", PLACES, function(toX, toY)
+    local world = physics.newWorld({ gravity = 800 })
+    local me = world:add("me", box(0, 90, 10, 10))
+    world:add("hills", box(10, 80, 100, 20, { static = true, slope = "right" }))
+    world:add("hills", box(40, 50, 60, 60, { static = true, slope = "right" }))
+    local x, y = world:move(me, toX, 90)
+    assert.are.near(toX, x, 1e-9)
+    assert.are.near(toY, y, 1e-9)
+  end)
 
   it("slides down a slope, and on along a floor that stands out of it", function()
     local world = physics.newWorld({ gravity = 800 })

@@ -120,21 +120,19 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
   end)
 end)
 
-describe("nearest", function()
-  small.rows("answers: {1}", {
-    { "inside", 5, 5, 10, "1", 0 },
-    { "left of one", -3, 5, 10, "1", 3 },
-    { "off a corner", 83, 34, 10, "4", 5 },
-    { "equal ones, in order", 50, 15, 100, "2", 10 },
-    { "at the edge of the radius", -3, 5, 3, "1", 3 },
-    { "too far", -3, 5, 2.99, nil, nil },
-    { "far away", -3000, 0, 1e7, "1", 3000 },
-    { "no radius", 5, 5, 0, "1", 0 },
-  }, function(_, x, y, r, name, px)
-    local object, distance = four():nearest(x, y, r)
-    assert.are.equal(name, object and object.name)
-    assert.are.equal(px, distance)
-  end)
+small.rows("nearest answers: {1}", {
+  { "inside", 5, 5, 10, "1", 0 },
+  { "left of one", -3, 5, 10, "1", 3 },
+  { "off a corner", 83, 34, 10, "4", 5 },
+  { "equal ones, in order", 50, 15, 100, "2", 10 },
+  { "at the edge of the radius", -3, 5, 3, "1", 3 },
+  { "too far", -3, 5, 2.99, nil, nil },
+  { "far away", -3000, 0, 1e7, "1", 3000 },
+  { "no radius", 5, 5, 0, "1", 0 },
+}, function(_, x, y, r, name, px)
+  local object, distance = four():nearest(x, y, r)
+  assert.are.equal(name, object and object.name)
+  assert.are.equal(px, distance)
 end)
 
 describe("filter: it", function()
@@ -153,13 +151,10 @@ describe("filter: it", function()
     local function isAlone(object)
       world:nearest(500, 5, 1000)
       world:raycast(500, 5, -500, 5)
-      return 0
-        == select(
-          2,
-          world:overlapping(object, function(other)
-            return other ~= object
-          end)
-        )
+      local function isOther(other)
+        return other ~= object
+      end
+      return select(2, world:overlapping(object, isOther)) == 0
     end
     assert.are.equal("4", names(world:queryRect(-10, -10, 100, 100, isAlone)))
     local hit, x = world:raycast(-10, 15, 100, 15, isAlone)
@@ -183,28 +178,26 @@ describe("filter: it", function()
   end)
 end)
 
-describe("world:touching", function()
-  it("answers with the side of the first", function()
-    local world = physics.newWorld({ gravity = 800 })
-    local floor = world:add("floor", tile(0, 100, 200, 20))
-    local object = world:add("a", box(0, 84))
-    local neighbour = world:add("a", box(16, 84))
-    local coin = world:add("coins", sized(4, 90, 8, 8, { sensor = true, static = true }))
-    local far = world:add("a", box(150, 84))
-    assert.is_nil(world:touching(object, floor))
-    world:update(1 / 60)
-    assert.are.equal("bottom", world:touching(object, floor))
-    assert.are.equal("top", world:touching(floor, object))
-    assert.is_nil(world:touching(object, neighbour))
-    assert.is_string(world:touching(object, coin))
-    world.sideBySide = true
-    assert.are.equal("right", world:touching(object, neighbour))
-    object.y = 50
-    assert.is_nil(world:touching(object, floor))
-    assert.is_nil(world:touching(object, object))
-    world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
-    assert.is_nil(world:touching(object, far))
-  end)
+it("world:touching answers with the side of the first", function()
+  local world = physics.newWorld({ gravity = 800 })
+  local floor = world:add("floor", tile(0, 100, 200, 20))
+  local object = world:add("a", box(0, 84))
+  local neighbour = world:add("a", box(16, 84))
+  local coin = world:add("coins", sized(4, 90, 8, 8, { sensor = true, static = true }))
+  local far = world:add("a", box(150, 84))
+  assert.is_nil(world:touching(object, floor))
+  world:update(1 / 60)
+  assert.are.equal("bottom", world:touching(object, floor))
+  assert.are.equal("top", world:touching(floor, object))
+  assert.is_nil(world:touching(object, neighbour))
+  assert.is_string(world:touching(object, coin))
+  world.sideBySide = true
+  assert.are.equal("right", world:touching(object, neighbour))
+  object.y = 50
+  assert.is_nil(world:touching(object, floor))
+  assert.is_nil(world:touching(object, object))
+  world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
+  assert.is_nil(world:touching(object, far))
 end)
 
 -- Velocities and room -------------------------------------------------------------------------
@@ -263,12 +256,12 @@ end)
 describe("world:fits", function()
   local function newScene()
     local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
-    world:add("tiles", { x = 50, y = 60, width = 50, height = 10, static = true })
-    world:add("ledges", { x = 150, y = 60, width = 50, height = 8, static = true, oneWay = "top" })
-    world:add("water", { x = 0, y = 0, width = 200, height = 100, static = true, sensor = true })
-    world:add("crates", { x = 110, y = 84, width = 16, height = 16 })
-    local one = world:add("men", { x = 60, y = 82, width = 16, height = 18 })
+    world:add("tiles", tile(0, 100, 200, 16))
+    world:add("tiles", tile(50, 60, 50, 10))
+    world:add("ledges", tile(150, 60, 50, 8, { oneWay = "top" }))
+    world:add("water", tile(0, 0, 200, 100, { sensor = true }))
+    world:add("crates", box(110, 84))
+    local one = world:add("men", sized(60, 82, 16, 18))
     world:update(1 / 60)
     return world, one
   end
@@ -297,12 +290,16 @@ describe("world:fits", function()
     end))
     world.objects.crates[1].active = false
     assert.is_true(world:fits(110, 80, 16, 20))
-    assert.has_error(
-      function()
-        world:fits(110, 80, 16, 20, false)
-      end,
-      "physics: world:fits(x, y, width, height): filter must be a group name, a list of them or a"
-        .. " function, got false"
+    local words = "filter must be a group name, a list of them or a function, got false"
+    small.refuses(
+      "world:fits(x, y, width, height): " .. words,
+      world.fits,
+      world,
+      1,
+      8,
+      6,
+      2,
+      false
     )
   end)
 
@@ -318,59 +315,52 @@ describe("world:fits", function()
   end)
 end)
 
-describe("querySegment: fractions", function()
-  it("are what raycast returns for each object, in the same order", function()
-    local world, fractions = four(), { { x = 1 }, 2, 3, 4, 5 }
-    for _, wanted in ipairs({ false, "c", isEven }) do
-      local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
-      assert.equal(count, #fractions)
-      for n = 1, count do
-        local fraction = select(
-          6,
-          world:raycast(-10, 12, 90, 17, function(object)
-            return object == list[n]
-          end)
-        )
-        assert.near(fraction, fractions[n], 1e-15)
-      end
+it("querySegment: fractions are what raycast returns for each object, in the same order", function()
+  local world, fractions = four(), { { x = 1 }, 2, 3, 4, 5 }
+  for _, wanted in ipairs({ false, "c", isEven }) do
+    local list, count = world:querySegment(-10, 12, 90, 17, wanted or nil, nil, fractions)
+    assert.equal(count, #fractions)
+    for n = 1, count do
+      local hit = {
+        world:raycast(-10, 12, 90, 17, function(object)
+          return object == list[n]
+        end),
+      }
+      assert.near(hit[6], fractions[n], 1e-15)
     end
-    small.refuses("fractions must be a table, got 3", function()
-      world:querySegment(0, 0, 9, 9, nil, nil, 3)
-    end)
-  end)
+  end
+  local words = "fractions must be a table, got 3"
+  small.refuses(words, world.querySegment, world, 0, 0, 9, 9, nil, nil, 3)
 end)
 
-describe("cast and castCircle", function()
-  it("meet what an object of that shape would meet that no mask names", function()
-    local random = require("spec.support.random").new(3)
-    for seed = 1, 60 do
-      local world = still()
-      for _ = 1, 12 do
-        local x, y = random:between(0, 200), random:between(0, 200)
-        local other = world:add("walls", tile(x, y, random:between(8, 40), random:between(8, 40)))
-        other.slope = seed % 3 == 0 and "left" or nil
-        other.oneWay = seed % 3 == 1 and "top" or nil
-        other.sensor = random:between(0, 1) < 0.1
-        world:refresh(other)
-      end
-      local size, dx, dy =
-        random:between(4, 20), random:between(-300, 300), random:between(-300, 300)
-      local me = world:add("me", sized(100, 100, size, size))
-      me.radius = seed % 2 == 0 and size / 2 or nil
-      local expected, found = { world:sweep(me, dx, dy) }
-      if me.radius then
-        local r = me.radius
-        found = { world:castCircle(100 + r, 100 + r, r, dx, dy, "walls") }
-        found[2], found[3] = found[2] and found[2] - r, found[3] and found[3] - r
-      else
-        found = { world:cast(100, 100, size, size, dx, dy, { "walls" }) }
-      end
-      assert.equal(expected[1], found[1])
-      for n = 2, #expected do
-        assert.near(expected[n], found[n], 1e-9)
-      end
+it("cast and castCircle meet what an object of that shape would meet that no mask names", function()
+  local random = require("spec.support.random").new(3)
+  for seed = 1, 60 do
+    local world = still()
+    for _ = 1, 12 do
+      local x, y = random:between(0, 200), random:between(0, 200)
+      local other = world:add("walls", tile(x, y, random:between(8, 40), random:between(8, 40)))
+      other.slope = seed % 3 == 0 and "left" or nil
+      other.oneWay = seed % 3 == 1 and "top" or nil
+      other.sensor = random:between(0, 1) < 0.1
+      world:refresh(other)
     end
-  end)
+    local size, dx, dy = random:between(4, 20), random:between(-300, 300), random:between(-300, 300)
+    local me = world:add("me", sized(100, 100, size, size))
+    me.radius = seed % 2 == 0 and size / 2 or nil
+    local expected, found = { world:sweep(me, dx, dy) }
+    if me.radius then
+      local r = me.radius
+      found = { world:castCircle(100 + r, 100 + r, r, dx, dy, "walls") }
+      found[2], found[3] = found[2] and found[2] - r, found[3] and found[3] - r
+    else
+      found = { world:cast(100, 100, size, size, dx, dy, { "walls" }) }
+    end
+    assert.equal(expected[1], found[1])
+    for n = 2, #expected do
+      assert.near(expected[n], found[n], 1e-9)
+    end
+  end
 end)
 
 describe("freePlace", function()
@@ -418,10 +408,7 @@ describe("freePlace", function()
     { "where it is", { tile(0, 100, 99, 20), CLOUD, WATER }, { 0, 90 }, { 0, 90 } },
     { "on the floor", { tile(0, 100, 99, 20) }, { 40, 93 }, { 40, 90 } },
     { "above, of two as near", { tile(40, 40, 10, 10) }, { 40, 40 }, { 40, 30 } },
-    {
-      "on the left, of two as near",
-      { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) },
-    },
+    { "on the left, of two near", { tile(0, 0, 30, 99), tile(40, 40, 9, 9), tile(50, 0, 9, 99) } },
     { "in a corner", { tile(0, 50, 99, 9), tile(50, 0, 9, 99) }, { 44, 45 }, { 40, 40 } },
     { "on a slope", { tile(0, 0, 100, 100, { slope = "left" }) }, { 50, 45 }, { 52.5, 42.5 } },
     { "beside a ball", { tile(0, 0, 40, 40, { radius = 20 }) }, { 15, -5 }, { 15, -10 } },
@@ -452,11 +439,10 @@ describe("freePlace", function()
     assert.same({ 2, -16 }, { world:freePlace(2, 0, 16, 16, 99) })
     assert.same({ 2, 0 }, { world:freePlace(2, 0, 16, 16, 99, "lamps") })
     assert.same({ 16, 1 }, { world:freePlace(2, 1, 16, 16, 99, asker) })
-    assert.same({ 2, 1 }, {
-      world:freePlace(2, 1, 16, 16, 99, function()
-        return false
-      end),
-    })
+    local function isNothing()
+      return false
+    end
+    assert.same({ 2, 1 }, { world:freePlace(2, 1, 16, 16, 99, isNothing) })
     assert.is_nil((world:freePlace(2, 0, 16, 16, 15)))
   end)
 end)

@@ -133,10 +133,7 @@ rows["Doors"] = {
   { "", 0.1, nil, { x = 40 } },
   { "-e +e", 1, { doors = { y = 300 } } },
 }
-rows["Portals"] = {
-  { "+right", 1.1, { x = { 600, 650 }, vx = 150 } },
-  { "", 1, { y = 368 } },
-}
+rows["Portals"] = { { "+right", 1.1, { x = { 600, 650 }, vx = 150 } }, { "", 1, { y = 368 } } }
 rows["Checkpoints"] = {
   { "+s", 0 },
   { "", 0.1, nil, { x = 300, health = 1, coins = 7 } },

@@ -9,18 +9,15 @@ local newBox, play = small.box, small.run
 local DT = 1 / 60
 
 describe("every setting:", function()
-  it(
-    "are plain fields with the documented defaults, or what is given, which is only read",
-    function()
-      local given = { gravity = 5, rest = false, push = "first", order = { "a" } }
-      local world, own = physics.newWorld(), physics.newWorld(given)
-      for _, field in ipairs(fields.settings) do
-        assert.equal(field.default, world[field.name], field.name)
-      end
-      assert.same({ gravity = 5, rest = false, push = "first", order = { "a" } }, given)
-      assert.same({ 5, false, "first" }, { own.gravity, own.rest, own.push })
+  it("are plain fields with the documented defaults, or what is given", function()
+    local given = { gravity = 5, rest = false, push = "first", order = { "a" } }
+    local world, own = physics.newWorld(), physics.newWorld(given)
+    for _, field in ipairs(fields.settings) do
+      assert.equal(field.default, world[field.name], field.name)
     end
-  )
+    assert.same({ gravity = 5, rest = false, push = "first", order = { "a" } }, given)
+    assert.same({ 5, false, "first" }, { own.gravity, own.rest, own.push })
+  end)
 
   it("may change while everything rests: gravity wakes", function()
     local world = physics.newWorld({ gravity = 800 })
@@ -38,20 +35,17 @@ describe("every setting:", function()
     assert.near(0.5 * 100 * 0.25, box.x, 1e-9)
   end)
 
-  it(
-    "push first: the one that runs into the other is put back alone, velocities are shared",
-    function()
-      for _, row in ipairs({ { "both", 46 }, { "first", 44 } }) do
-        local world = physics.newWorld({ gravity = 0, push = row[1], maxStep = 0.25 })
-        local a = world:add("boxes", newBox(40, 0, { vx = 32 })) -- 8 px a step
-        local b = world:add("boxes", newBox(60, 0))
-        world:update(0.25)
-        assert.near(row[2], a.x, 1e-9)
-        assert.near(row[2] + 16, b.x, 1e-9)
-        assert.same({ 16, 16 }, { a.vx, b.vx })
-      end
+  it("push first: what runs into the other is put back alone, velocities are shared", function()
+    for _, row in ipairs({ { "both", 46 }, { "first", 44 } }) do
+      local world = physics.newWorld({ gravity = 0, push = row[1], maxStep = 0.25 })
+      local a = world:add("boxes", newBox(40, 0, { vx = 32 })) -- 8 px a step
+      local b = world:add("boxes", newBox(60, 0))
+      world:update(0.25)
+      assert.near(row[2], a.x, 1e-9)
+      assert.near(row[2] + 16, b.x, 1e-9)
+      assert.same({ 16, 16 }, { a.vx, b.vx })
     end
-  )
+  end)
 
   it("broadphase, cellSize and rest may change in mid-air, and change nothing", function()
     local worlds = {}

@@ -71,7 +71,6 @@ slow.files = {
   },
   { "spec/state_maps_spec.lua", "100 journeys through rooms that are dug" },
   { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
-  { "spec/invariants/properties_spec.lua", "eight more seeds of games in which nothing may sink" },
   { "spec/oracles/friction_in_stacks_spec.lua", "stacks compared with steps of 1/1500 s" },
   { "spec/character_spec.lua", "a player in a crowd of 100, for each setting" },
   { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },

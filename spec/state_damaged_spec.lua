@@ -132,14 +132,12 @@ local ROWS = {
   { "events", {}, "state.heardBy must be an integer in 0..0, got 2" },
 }
 
-describe("world:restore, a damaged state", function()
-  small.rows("is refused: {1} = {2}", ROWS, function(path, value, text)
-    local world = newFull()
-    local state, hash = world:save(), world:hash()
-    put(state, path, value)
-    refused("physics: world:restore(state): " .. text, world, "restore", state)
-    assert.are.equal(hash, world:hash())
-  end)
+small.rows("world:restore, a damaged state is refused: {1} = {2}", ROWS, function(path, value, text)
+  local world = newFull()
+  local state, hash = world:save(), world:hash()
+  put(state, path, value)
+  refused("physics: world:restore(state): " .. text, world, "restore", state)
+  assert.are.equal(hash, world:hash())
 end)
 
 describe("world:restore, a damaged state of a world with maps", function()
@@ -150,11 +148,7 @@ describe("world:restore, a damaged state of a world with maps", function()
     { "tiles.a", 1, "state.tiles.a must be a table, got 1" },
     { "tiles.a", {}, "state.tiles.a.changes must be a table, got nil" },
     { "tiles.a", { changes = { 0, 1 } }, "state.tiles.a.changes[1] must be an integer in 1.." },
-    {
-      "tiles.a",
-      { changes = { 2, 1, 1, 1 } },
-      "state.tiles.a.changes[3] must be an integer in 3..",
-    },
+    { "tiles.a", { changes = { 2, 1, 1, 1 } }, "state.tiles.a.changes[3] must be an integer in 3" },
   }, function(path, value, words)
     local world = physics.newWorld()
     world:addTiles("earth", { "##" }, nil, 16):setTile(1, 1, 0)
@@ -177,37 +171,33 @@ describe("world:restore, a damaged state of a world with maps", function()
   end)
 end)
 
-describe("world:restore, what is no state", function()
-  it("is refused", function()
-    local world = newFull()
-    local hash = world:hash()
-    for text, value in pairs({
-      ["state must be a table, got nil"] = false,
-      ['state must be a table, got "state"'] = "state",
-      ["state.version must be 8, got nil: this is no state"] = {},
-    }) do
-      refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
-      assert.are.equal(hash, world:hash())
-    end
-  end)
+it("world:restore, what is no state is refused", function()
+  local world = newFull()
+  local hash = world:hash()
+  for text, value in pairs({
+    ["state must be a table, got nil"] = false,
+    ['state must be a table, got "state"'] = "state",
+    ["state.version must be 8, got nil: this is no state"] = {},
+  }) do
+    refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
+    assert.are.equal(hash, world:hash())
+  end
 end)
 
-describe("world:restore, a state at its limits", function()
-  small.rows("is accepted: {1} = {2}", {
-    { "saved", -1e-10 },
-    { "saved", 0.25 },
-    { "heardBy", 1 },
-    { "heardBy", nil },
-    { "sorted", nil },
-    { "settings.order", nil },
-    { "contacts[22]", 2 },
-    { "memory.wasCrushed", { 6, true, false } },
-  }, function(path, value)
-    local world = newFull()
-    local state = world:save()
-    put(state, path, value)
-    world:restore(state)
-    world:update(DT)
-    assert.are.equal(10, world.stats.objects)
-  end)
+small.rows("world:restore, a state at its limits is accepted: {1} = {2}", {
+  { "saved", -1e-10 },
+  { "saved", 0.25 },
+  { "heardBy", 1 },
+  { "heardBy", nil },
+  { "sorted", nil },
+  { "settings.order", nil },
+  { "contacts[22]", 2 },
+  { "memory.wasCrushed", { 6, true, false } },
+}, function(path, value)
+  local world = newFull()
+  local state = world:save()
+  put(state, path, value)
+  world:restore(state)
+  world:update(DT)
+  assert.are.equal(10, world.stats.objects)
 end)

@@ -121,29 +121,27 @@ describe("timestep", function()
   end)
 end)
 
-describe("maxStep:", function()
-  small.rows("{2} s are equal steps of at most {1}", {
-    -- maxStep, dt; where a box is after each step at 1000 px/s
-    { 0.1, 0.15, { 75, 150 } },
-    { 0.1, 0.25, { 250 / 3, 500 / 3, 250 } },
-    { 1 / 30, 0.1, { 100 / 3, 200 / 3, 100 } },
-    { 1 / 30, 0.04, { 20, 40 } },
-    { 1 / 30, 1 / 30, { 100 / 3 } },
-    { 0.1, 60, { 250 / 3, 500 / 3, 250 } }, -- 0.25 s at most
-  }, function(maxStep, dt, expected)
-    local split, places = physics.newWorld({ gravity = 0, maxStep = maxStep }), {}
-    local fast = split:add("boxes", newBox(0, 0, { vx = 1000 }))
-    split:add("zones", { x = -50, y = 0, width = 500, height = 8, static = true, sensor = true })
-    split.onBegin = function()
-      places[#places + 1] = fast.x
-    end
-    split.onStay = split.onBegin
-    split:update(dt)
-    assert.equal(#expected, #places)
-    for n, x in ipairs(expected) do
-      assert.near(x, places[n], 1e-9)
-    end
-  end)
+small.rows("maxStep: {2} s are equal steps of at most {1}", {
+  -- maxStep, dt; where a box is after each step at 1000 px/s
+  { 0.1, 0.15, { 75, 150 } },
+  { 0.1, 0.25, { 250 / 3, 500 / 3, 250 } },
+  { 1 / 30, 0.1, { 100 / 3, 200 / 3, 100 } },
+  { 1 / 30, 0.04, { 20, 40 } },
+  { 1 / 30, 1 / 30, { 100 / 3 } },
+  { 0.1, 60, { 250 / 3, 500 / 3, 250 } }, -- 0.25 s at most
+}, function(maxStep, dt, expected)
+  local split, places = physics.newWorld({ gravity = 0, maxStep = maxStep }), {}
+  local fast = split:add("boxes", newBox(0, 0, { vx = 1000 }))
+  split:add("zones", { x = -50, y = 0, width = 500, height = 8, static = true, sensor = true })
+  split.onBegin = function()
+    places[#places + 1] = fast.x
+  end
+  split.onStay = split.onBegin
+  split:update(dt)
+  assert.equal(#expected, #places)
+  for n, x in ipairs(expected) do
+    assert.near(x, places[n], 1e-9)
+  end
 end)
 
 describe("world:update", function()

@@ -9,42 +9,40 @@ local newBox, newFloor = small.box, small.floor
 
 local DT = 1 / 60
 
-describe("stats", function()
-  --   +--+
-  --   +--+
-  --          fall 1.5, 3 and 4.5 px: for 3.7, 5.2 and 6.4 steps
-  --   +--+
-  --   +--+
-  --   +--+       +----+ ->
-  --  ------
-  it("count a pile that falls, lands and comes to rest", function()
-    for _, broadphase in ipairs({ "grid", "pairs" }) do
-      local world, seen = physics.newWorld({ gravity = 800, broadphase = broadphase }), {}
-      world:add("tiles", newFloor())
-      for i = 1, 3 do
-        world:add("boxes", newBox(0, 100 - 17.5 * i))
-      end
-      local lift = { x = 300, y = 0, width = 32, height = 8, kinematic = true, vx = 10 }
-      world:add("lifts", lift)
-      for step = 0, 20 do
-        local stats = world.stats
-        seen[step] = { stats.objects, stats.movers, stats.resting, stats.contacts, stats.events }
-        assert.is_true(stats.pairs >= stats.contacts)
-        world:update(DT)
-      end
-      for _, values in ipairs({
-        -- step; objects, movers, resting, contacts, events
-        { 0, { 0, 0, 0, 0, 0 } },
-        { 3, { 5, 4, 0, 0, 0 } },
-        { 4, { 5, 4, 0, 1, 1 } },
-        { 6, { 5, 4, 0, 2, 2 } },
-        { 7, { 5, 4, 0, 3, 3 } },
-        { 20, { 5, 4, 3, 3, 0 } },
-      }) do
-        assert.same(values[2], seen[values[1]], broadphase .. ", step " .. values[1])
-      end
+--   +--+
+--   +--+
+--          fall 1.5, 3 and 4.5 px: for 3.7, 5.2 and 6.4 steps
+--   +--+
+--   +--+
+--   +--+       +----+ ->
+--  ------
+it("stats count a pile that falls, lands and comes to rest", function()
+  for _, broadphase in ipairs({ "grid", "pairs" }) do
+    local world, seen = physics.newWorld({ gravity = 800, broadphase = broadphase }), {}
+    world:add("tiles", newFloor())
+    for i = 1, 3 do
+      world:add("boxes", newBox(0, 100 - 17.5 * i))
     end
-  end)
+    local lift = { x = 300, y = 0, width = 32, height = 8, kinematic = true, vx = 10 }
+    world:add("lifts", lift)
+    for step = 0, 20 do
+      local stats = world.stats
+      seen[step] = { stats.objects, stats.movers, stats.resting, stats.contacts, stats.events }
+      assert.is_true(stats.pairs >= stats.contacts)
+      world:update(DT)
+    end
+    for _, values in ipairs({
+      -- step; objects, movers, resting, contacts, events
+      { 0, { 0, 0, 0, 0, 0 } },
+      { 3, { 5, 4, 0, 0, 0 } },
+      { 4, { 5, 4, 0, 1, 1 } },
+      { 6, { 5, 4, 0, 2, 2 } },
+      { 7, { 5, 4, 0, 3, 3 } },
+      { 20, { 5, 4, 3, 3, 0 } },
+    }) do
+      assert.same(values[2], seen[values[1]], broadphase .. ", step " .. values[1])
+    end
+  end
 end)
 
 it("profile: a clock in it tells how long the stages of a step took", function()
@@ -71,13 +69,11 @@ it("profile: a clock in it tells how long the stages of a step took", function()
   assert.is_nil(world.stats.times)
 end)
 
-describe("physics/types.lua", function()
-  it("has every field of objects and every setting #files", function()
-    local text = read("physics/types.lua")
-    for _, list in ipairs({ fields.objects, fields.settings }) do
-      for _, field in ipairs(list) do
-        assert.truthy(text:find("\n---@field " .. field.name .. "%??%s"), field.name)
-      end
+it("physics/types.lua has every field of objects and every setting #files", function()
+  local text = read("physics/types.lua")
+  for _, list in ipairs({ fields.objects, fields.settings }) do
+    for _, field in ipairs(list) do
+      assert.truthy(text:find("\n---@field " .. field.name .. "%??%s"), field.name)
     end
-  end)
+  end
 end)

@@ -112,19 +112,16 @@ describe("world:shift", function()
   end)
 
   -- Through the wall the way out would be shorter.
-  it(
-    "takes along what has grown through a wall, which leaves it on the side where it stood",
-    function()
-      local world = still()
-      world:add("walls", box(50, -100, 4, 300, { static = true }))
-      local one = world:add("men", box(30, 50, 16, 16))
-      world:update(DT)
-      one.width = 60
-      world:shift(300, -200)
-      small.run(world, 10)
-      assert.near(290, one.x, 1e-6)
-    end
-  )
+  it("takes along what has grown through a wall, on the side where it stood", function()
+    local world = still()
+    world:add("walls", box(50, -100, 4, 300, { static = true }))
+    local one = world:add("men", box(30, 50, 16, 16))
+    world:update(DT)
+    one.width = 60
+    world:shift(300, -200)
+    small.run(world, 10)
+    assert.near(290, one.x, 1e-6)
+  end)
 
   it("takes along interpolation, tiles, and tiles that wait", function()
     local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
@@ -170,15 +167,13 @@ describe("world:shift", function()
   end)
 end)
 
-describe("world:impulse", function()
-  it("changes the velocity by the impulse over the mass", function()
-    local world = still()
-    local me = world:add("me", box(0, 0, 10, 10, { mass = 4, vx = 1 }))
-    world:impulse(me, 8, -20)
-    assert.are.same({ 3, -5 }, { me.vx, me.vy })
-    world:update(0.02)
-    assert.are.near(0.06, me.x, 1e-12)
-  end)
+it("world:impulse changes the velocity by the impulse over the mass", function()
+  local world = still()
+  local me = world:add("me", box(0, 0, 10, 10, { mass = 4, vx = 1 }))
+  world:impulse(me, 8, -20)
+  assert.are.same({ 3, -5 }, { me.vx, me.vy })
+  world:update(0.02)
+  assert.are.near(0.06, me.x, 1e-12)
 end)
 
 describe("world:setBounds", function()

@@ -28,83 +28,75 @@ local function boxOf(row)
 end
 
 -- (Other wrong values are in debugging_bad_input_spec.)
-small.rows(
-  "{1} refuses a or b if it is no box",
-  { "side", "checkCollision", "bump" },
-  function(name)
-    local fine = box(0, 0, 1, 1)
-    for _, row in ipairs({
-      { "box", ' must be a table, got "box"' },
-      { { x = "0", y = 0, width = 1, height = 1 }, '.x must be a number, got "0"' },
-      { box(0, INF, 1, 1), ".y must be a finite number, got inf" },
-      { box(0, 0, 0, 1), ".width must be a number > 0, got 0" },
-      { box(0, 0, 1, NAN), ".height must be a number > 0, got nan" },
-    }) do
-      refuses(name .. "(a, b): a" .. row[2], physics[name], row[1], fine)
-      refuses(name .. "(a, b): b" .. row[2], physics[name], fine, row[1])
-    end
+small.rows("{1} refuses a or b if no box", { "side", "checkCollision", "bump" }, function(name)
+  local fine = box(0, 0, 1, 1)
+  for _, row in ipairs({
+    { "box", ' must be a table, got "box"' },
+    { { x = "0", y = 0, width = 1, height = 1 }, '.x must be a number, got "0"' },
+    { box(0, INF, 1, 1), ".y must be a finite number, got inf" },
+    { box(0, 0, 0, 1), ".width must be a number > 0, got 0" },
+    { box(0, 0, 1, NAN), ".height must be a number > 0, got nan" },
+  }) do
+    refuses(name .. "(a, b): a" .. row[2], physics[name], row[1], fine)
+    refuses(name .. "(a, b): b" .. row[2], physics[name], fine, row[1])
   end
-)
-
-describe("inside", function()
-  --  0       10
-  --  +-------+   the left and the top edge belong to the rectangle,
-  --  |#######.   the right and the bottom edge do not
-  --  |#######.
-  --  +.......+   10
-  small.rows("is {3} for a rectangle {1}", {
-    { "in the middle", { 4, 4, 2, 2 }, true },
-    { "in the top left corner", { 0, 0, 2, 2 }, true },
-    { "a point on the left edge", { 0, 5, 0, 0 }, true },
-    { "a point on the top edge", { 5, 0, 0, 0 }, true },
-    { "a point on the right edge", { 10, 5, 0, 0 }, false },
-    { "a point on the bottom edge", { 5, 10, 0, 0 }, false },
-    { "at the right edge", { 8, 4, 2, 2 }, false },
-    { "at the bottom edge", { 4, 8, 2, 2 }, false },
-    { "half to the left", { -1, 4, 2, 2 }, false },
-    { "half above", { 4, -1, 2, 2 }, false },
-    { "larger", { -1, -1, 12, 12 }, false },
-  }, function(_, a, expected)
-    assert.equal(expected, physics.inside(a[1], a[2], a[3], a[4], 0, 0, 10, 10))
-  end)
 end)
 
-describe("side", function()
-  --            +--+                  Where the size of the intersection (the first method of
-  --            |a |                  the tutorial) or the distance of the middles (the second)
-  --   +--------|--|---------------+  names the wrong axis, opposite sides name the right one.
-  --   |        +--+           b   |
-  --   +---------------------------+
-  small.rows("is {4} for {1}", {
-    -- middles: 90 px apart on x, 11 on y
-    { "a medium box on the end of a thin one", { 0, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
-    { "the same one on the other end", { 180, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
-    { "the same one under it", { 180, 3, 20, 20 }, { 0, 0, 200, 4 }, "top" },
-    { "one that has come out below", { 0, -15, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
-    { "the wide one under it", { 0, 0, 200, 4 }, { 0, -19, 20, 20 }, "top" },
-    { "a medium box at the end of a thin wall", { -19, 0, 20, 20 }, { 0, 0, 4, 200 }, "right" },
-    -- intersection: 4 wide, 6 high
-    { "a wide box deep on a post", { 0, 0, 100, 20 }, { 40, 14, 4, 60 }, "bottom" },
-    { "a high box deep in a ledge", { 0, 0, 20, 100 }, { 14, 40, 60, 4 }, "right" },
-    -- intersection: 100 wide, 4 high; middles: 0 px apart on both
-    { "a cross", { 0, 48, 100, 4 }, { 48, 0, 4, 100 }, "bottom" },
-    { "boxes that are apart", { 0, 0, 10, 10 }, { 50, 0, 10, 10 }, "right" },
-    { "a box from the left", { -8, 1, 10, 10 }, { 0, 0, 10, 10 }, "right" },
-    { "a box from the right", { 8, 1, 10, 10 }, { 0, 0, 10, 10 }, "left" },
-    { "a box from above", { 1, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-    { "a box from below", { 1, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
-    -- Equal ways out: right must be smaller than all to win, left smaller than top and bottom, …
-    { "a tie of right and bottom", { -8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-    { "a tie of right and top", { -8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
-    { "a tie of left and bottom", { 8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-    { "a tie of left and top", { 8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
-    { "a tie of right and left", { 0, 2, 10, 100 }, { 0, 0, 10, 10 }, "top" },
-    { "right and left, smallest of all", { 4, -20, 2, 50 }, { 0, 0, 10, 10 }, "left" },
-    { "a tie of bottom and top", { -20, 4, 50, 2 }, { 0, 0, 10, 10 }, "bottom" },
-    { "the same place", { 0, 0, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-  }, function(_, a, b, expected)
-    assert.equal(expected, physics.side(boxOf(a), boxOf(b)))
-  end)
+--  0       10
+--  +-------+   the left and the top edge belong to the rectangle,
+--  |#######.   the right and the bottom edge do not
+--  |#######.
+--  +.......+   10
+small.rows("inside is {3} for a rectangle {1}", {
+  { "in the middle", { 4, 4, 2, 2 }, true },
+  { "in the top left corner", { 0, 0, 2, 2 }, true },
+  { "a point on the left edge", { 0, 5, 0, 0 }, true },
+  { "a point on the top edge", { 5, 0, 0, 0 }, true },
+  { "a point on the right edge", { 10, 5, 0, 0 }, false },
+  { "a point on the bottom edge", { 5, 10, 0, 0 }, false },
+  { "at the right edge", { 8, 4, 2, 2 }, false },
+  { "at the bottom edge", { 4, 8, 2, 2 }, false },
+  { "half to the left", { -1, 4, 2, 2 }, false },
+  { "half above", { 4, -1, 2, 2 }, false },
+  { "larger", { -1, -1, 12, 12 }, false },
+}, function(_, a, expected)
+  assert.equal(expected, physics.inside(a[1], a[2], a[3], a[4], 0, 0, 10, 10))
+end)
+
+--            +--+                  Where the size of the intersection (the first method of
+--            |a |                  the tutorial) or the distance of the middles (the second)
+--   +--------|--|---------------+  names the wrong axis, opposite sides name the right one.
+--   |        +--+           b   |
+--   +---------------------------+
+small.rows("side is {4} for {1}", {
+  -- middles: 90 px apart on x, 11 on y
+  { "a medium box on the end of a thin one", { 0, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
+  { "the same one on the other end", { 180, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
+  { "the same one under it", { 180, 3, 20, 20 }, { 0, 0, 200, 4 }, "top" },
+  { "one that has come out below", { 0, -15, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
+  { "the wide one under it", { 0, 0, 200, 4 }, { 0, -19, 20, 20 }, "top" },
+  { "a medium box at the end of a thin wall", { -19, 0, 20, 20 }, { 0, 0, 4, 200 }, "right" },
+  -- intersection: 4 wide, 6 high
+  { "a wide box deep on a post", { 0, 0, 100, 20 }, { 40, 14, 4, 60 }, "bottom" },
+  { "a high box deep in a ledge", { 0, 0, 20, 100 }, { 14, 40, 60, 4 }, "right" },
+  -- intersection: 100 wide, 4 high; middles: 0 px apart on both
+  { "a cross", { 0, 48, 100, 4 }, { 48, 0, 4, 100 }, "bottom" },
+  { "boxes that are apart", { 0, 0, 10, 10 }, { 50, 0, 10, 10 }, "right" },
+  { "a box from the left", { -8, 1, 10, 10 }, { 0, 0, 10, 10 }, "right" },
+  { "a box from the right", { 8, 1, 10, 10 }, { 0, 0, 10, 10 }, "left" },
+  { "a box from above", { 1, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+  { "a box from below", { 1, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
+  -- Equal ways out: right must be smaller than all to win, left smaller than top and bottom, …
+  { "a tie of right and bottom", { -8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+  { "a tie of right and top", { -8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
+  { "a tie of left and bottom", { 8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+  { "a tie of left and top", { 8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
+  { "a tie of right and left", { 0, 2, 10, 100 }, { 0, 0, 10, 10 }, "top" },
+  { "right and left, smallest of all", { 4, -20, 2, 50 }, { 0, 0, 10, 10 }, "left" },
+  { "a tie of bottom and top", { -20, 4, 50, 2 }, { 0, 0, 10, 10 }, "bottom" },
+  { "the same place", { 0, 0, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+}, function(_, a, b, expected)
+  assert.equal(expected, physics.side(boxOf(a), boxOf(b)))
 end)
 
 describe("checkCollision", function()
@@ -134,11 +126,7 @@ describe("checkCollision", function()
     { "far apart", { 0, 0, 10, 10 }, { 99, 99, 10, 10 }, false, false },
   }) do
     local name, a, b, plain, sideBySide = row[1], row[2], row[3], row[4], row[5]
-    local title = ("is %s for %s, %s side by side"):format(
-      tostring(plain),
-      name,
-      tostring(sideBySide)
-    )
+    local title = ("is %s for %s, %s beside"):format(tostring(plain), name, tostring(sideBySide))
     it(title, function()
       local function numbers(...)
         return physics.checkCollision(a[1], a[2], a[3], a[4], b[1], b[2], b[3], b[4], ...)
@@ -242,40 +230,36 @@ describe("bump", function()
     end
   end)
 
-  small.rows(
-    "leaves 500 random pairs flush in each mode, shifted by {1}",
-    { 0, 0.1, 1 / 3, -1000.1, 100000.3 },
-    function(shift)
-      local random = newRandom(11)
-      local function randomBox()
-        local x, y = random:between(-20, 20), random:between(-20, 20)
-        local result = box(shift + x, shift + y, random:between(1, 30), random:between(1, 30))
-        result.mass = random:between(0.1, 5)
-        return result
-      end
-      for n = 1, 1000 do
-        local mode = n % 2 == 0 and "both" or "first"
-        local a, b = randomBox(), randomBox()
-        local ax, ay, bx, by = a.x, a.y, b.x, b.y
-        local side = physics.bump(a, b, mode)
-        assert.is_false(physics.checkCollision(a, b))
-        if side then
-          assert.equal(side, physics.checkCollision(a, b, true))
-          if mode == "first" then
-            assert.same({ bx, by }, { b.x, b.y })
-          else
-            assert.near(a.mass * ax + b.mass * bx, a.mass * a.x + b.mass * b.x, 1e-8)
-            assert.near(a.mass * ay + b.mass * by, a.mass * a.y + b.mass * b.y, 1e-8)
-          end
-          local isExact = side == "right" and a.x == b.x - a.width
-            or side == "bottom" and a.y == b.y - a.height
-            or side == "left" and (b.x == a.x - b.width or a.x == b.x + b.width)
-            or side == "top" and (b.y == a.y - b.height or a.y == b.y + b.height)
-          assert.is_true(isExact)
+  small.rows("leaves 500 pairs flush: {1}", { 0, 0.1, 1 / 3, -1000.1, 100000.3 }, function(shift)
+    local random = newRandom(11)
+    local function randomBox()
+      local x, y = random:between(-20, 20), random:between(-20, 20)
+      local result = box(shift + x, shift + y, random:between(1, 30), random:between(1, 30))
+      result.mass = random:between(0.1, 5)
+      return result
+    end
+    for n = 1, 1000 do
+      local mode = n % 2 == 0 and "both" or "first"
+      local a, b = randomBox(), randomBox()
+      local ax, ay, bx, by = a.x, a.y, b.x, b.y
+      local side = physics.bump(a, b, mode)
+      assert.is_false(physics.checkCollision(a, b))
+      if side then
+        assert.equal(side, physics.checkCollision(a, b, true))
+        if mode == "first" then
+          assert.same({ bx, by }, { b.x, b.y })
+        else
+          assert.near(a.mass * ax + b.mass * bx, a.mass * a.x + b.mass * b.x, 1e-8)
+          assert.near(a.mass * ay + b.mass * by, a.mass * a.y + b.mass * b.y, 1e-8)
         end
+        local isExact = side == "right" and a.x == b.x - a.width
+          or side == "bottom" and a.y == b.y - a.height
+          or side == "left" and (b.x == a.x - b.width or a.x == b.x + b.width)
+          or side == "top" and (b.y == a.y - b.height or a.y == b.y + b.height)
+        assert.is_true(isExact)
       end
     end
-  )
+  end)
 
   it("refuses an object and itself, and an unknown mode", function()
     local a = box(0, 0, 1, 1)
@@ -297,24 +281,22 @@ describe("bump", function()
   end)
 end)
 
-describe("globals", function()
-  it("sets no global, until it is asked to", function()
-    local before = {}
-    for name in pairs(_G) do
-      before[name] = true
-    end
-    fresh.during(function(again)
-      again.load({ gravity = 0 })
-      again.add("boxes", { x = 0, y = 0, width = 1, height = 1 })
-      again.update(DT)
-    end)
-    for name in pairs(_G) do
-      assert.is_true(before[name], tostring(name))
-    end
-    for _, name in ipairs(GLOBALS) do
-      assert.is_nil(rawget(_G, name))
-    end
+it("globals sets no global, until it is asked to", function()
+  local before = {}
+  for name in pairs(_G) do
+    before[name] = true
+  end
+  fresh.during(function(again)
+    again.load({ gravity = 0 })
+    again.add("boxes", { x = 0, y = 0, width = 1, height = 1 })
+    again.update(DT)
   end)
+  for name in pairs(_G) do
+    assert.is_true(before[name], tostring(name))
+  end
+  for _, name in ipairs(GLOBALS) do
+    assert.is_nil(rawget(_G, name))
+  end
 end)
 
 describe("globals: the tutorial", function()

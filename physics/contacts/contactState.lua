@@ -25,7 +25,7 @@ local EPSILON, OPPOSITE, INSIDE = constants.EPSILON, constants.OPPOSITE, boxes.I
 -- Returns the side of slot i on which it and slot j are flush at the end of the step, else 0;
 -- INSIDE if they overlap.
 local function sideOf(b, p, i, j)
-  return b.hasShapes and touch.side(b, p, i, j) or boxes.flushSide(b, i, j)
+  return b.hasShapes and touch.side(b, p, i, j) or boxes.flushSide(b, b.to, i, j)
 end
 
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in

@@ -79,27 +79,25 @@ end
 -- Sets the maps that are there: by map its `level`, the `layers` of its tiles, and once a function
 -- `add`.
 function Atlas._set(self, made)
-  local grids = {}
   self._made, self._there, self.tiles, self.rectangles = made, {}, 0, 0
   for name in (LISTS .. TABLES):gmatch("%a+") do
     self[name] = {}
   end
-  for i, map in ipairs(self.maps) do
+  for _, map in ipairs(self.maps) do
     local its = made[map] or {}
-    local add = its.add
-    map.level, its.add = its.level, nil
-    if add then
-      add()
+    map.level = its.level
+    if its.add then
+      its.add()
+      its.add = nil
     end
     if map.level then
       self._there[map.name] = true
       join(self, map.level)
       map.width, map.height = map.level.width, map.level.height
     end
-    grids[i] = { column = map.x, row = map.y, width = map.width or 0, height = map.height or 0 }
   end
-  grids[1] = grids[1] or { column = 0, row = 0, width = 0, height = 0 }
-  self.x, self.y, self.width, self.height = cells.around(grids)
+  local boxes = self.maps[1] and self.maps or { { x = 0, y = 0 } }
+  self.x, self.y, self.width, self.height = cells.around(boxes)
 end
 
 -- Lets a map be there, or not.

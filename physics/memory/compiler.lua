@@ -30,7 +30,7 @@ compiler.INTERPRETED = {
   ["memory.lazy"] = "fill",
   ["fields.forms"] = "isSame copy",
   ["objects.groups"] = "sortedKeys hasOthers haveChanged",
-  ["objects.registry"] = "find",
+  ["objects.registry"] = "find search",
   ["queries.move"] = "finish",
   ["state.format"] = "isPlain",
   ["state.older"] = "read objectsOf",
@@ -38,7 +38,6 @@ compiler.INTERPRETED = {
   ["state.validate"] = "needMaps",
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",
-  ["world.class"] = "search",
 }
 
 local exported = {} -- functions that modules give to others, while it works

@@ -25,10 +25,10 @@
 -- factors.) Beyond that, only the limit of the drift bounds it. A drift against the motion of its
 -- body slows that further, so that a crowd comes to stand (see `listDrifted`).
 --
--- The pairs that overlap, or may in this step, are found once, in cells, sorted by counting: a body
--- is compared with the bodies that begin after it in its row, and in the rows down to its lower
--- edge. Sums do not depend on that order: all velocities are rounded to multiples of 2^-20 px/s,
--- which add up exactly.
+-- The pairs that overlap, or may in this step, are found once. The bodies are sorted by rows, which
+-- are as high as the highest body, and in a row by their left edges. Each is compared with those
+-- beside it in its row and in the next one. Sums do not depend on that order: all velocities are
+-- rounded to multiples of 2^-20 px/s, which add up exactly.
 --
 -- Source: C. D. Meyer, D. S. Balsara, T. D. Aslam, A second-order accurate Super TimeStepping
 -- formulation for anisotropic thermal conduction, 2012 (RKL1, the scheme of first order).
@@ -37,6 +37,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
+local sort = require(root .. ".memory.sort")
 
 local drift = {}
 
@@ -54,8 +55,6 @@ local MOST_PARTS = 12
 -- Share of the way of the fastest drift in a step: bodies that are no further apart may overlap in
 -- this step.
 local NEAR = 0.5
--- Cells across a body of mean size; height of a row of cells, in such bodies; cells for each body.
-local FINE, HIGH, CELLS = 4, 1.5, 4
 -- Directions in which two bodies at one place part, by the order of the world.
 ---@type table<number, number>
 local WAYS_X = { 1.0, 0.25, 0.5, -1.0, 1.0, 0.75, -0.5, 0.5 }
@@ -73,11 +72,9 @@ local function newWork()
     name = {},
     most = {}, -- px/s: the largest of that row
     plain = {}, -- its mass if it has no mask, `hits`, strength, and can be pushed; else false
-    start = {}, -- of each cell: where it begins in `sorted`
-    cell = {}, -- of each body
-    sorted = {},
-    place = { [0] = {}, {} }, -- middle and half size in that order
-    reach = { [0] = {}, {} },
+    left = {}, -- its left edge
+    line = {}, -- the row in which it begins
+    sorted = {}, -- the bodies by row, then from left to right
     one = {}, -- pairs that may overlap
     other = {},
     partSpeed = {}, -- px/s, of each pair
@@ -86,13 +83,15 @@ local function newWork()
     now = { [0] = {}, {} }, -- by axis: velocity apart in a part of the step
     last = { [0] = {}, {} }, -- by axis: velocity that the last part has added to the drift, px/s
     drifted = {}, -- slots with a drift: b.driftedCount
-    speed = {}, -- by index: velocity at the end of the step without it
+    speed = {}, -- by index: velocity at the end of the step without it, and that of the carrier
+    carried = {},
   }
 end
 
 -- Lists the bodies of the soft groups, in the order of the world.
 local function list(b, work)
   local groups, n, from, size, fastest = b.registry.groups, 0, b.from, b.size, 0.0
+  local sum, wide, high = 0.0, 0.0, constants.TINY
   local name, row, most
   for m = 1, b.moverCount do
     local i = b.movers[m]
@@ -105,6 +104,8 @@ local function list(b, work)
     if row and b.active[i] and not b.sensor[i] then
       n, fastest = n + 1, max(fastest, most)
       work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
+      sum = sum + size[2 * i] + size[2 * i + 1]
+      wide, high = max(wide, size[2 * i]), max(high, size[2 * i + 1])
       local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
       work.plain[n] = isPlain and not (b.mask[i] or b.hitsOnly[i] or b.masks) and b.mass[i]
       for axis = 0, 1 do
@@ -114,49 +115,11 @@ local function list(b, work)
       end
     end
   end
-  work.count, work.fastest = n, fastest
-end
-
--- Returns where on an axis the first and the last body begin, px, the sum of their sizes there, and
--- the largest one.
-local function extent(work, axis)
-  local at, half, low, high, sum, largest = work.at[axis], work.half[axis], huge, -huge, 0.0, 0.0
-  for n = 1, work.count do
-    low, high = min(low, at[n] - half[n]), max(high, at[n] - half[n])
-    sum, largest = sum + (2 * half[n] + ROUNDING - ROUNDING), max(largest, 2 * half[n])
+  for at = 1, n ~= work.count and n or 0 do
+    work.sorted[at] = at
   end
-  return low, high, sum, largest
-end
-
--- Sorts the bodies by the cells in which they begin, row by row.
-local function sortCells(work)
-  local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
-  local cell, start, sorted, across = work.cell, work.start, work.sorted, work.across
-  local cells = across * work.rows
-  for c = 0, cells do
-    start[c] = 0
-  end
-  for n = 1, work.count do
-    local row = floor((y[n] - halfY[n] - work.lowY) * work.partY)
-    local c = row * across + floor((x[n] - halfX[n] - work.lowX) * work.partX)
-    cell[n], start[c] = c, start[c] + 1
-  end
-  local sum = 1
-  for c = 0, cells do
-    sum = sum + start[c]
-    start[c] = sum -- where the next one begins
-  end
-  for n = work.count, 1, -1 do
-    local c = cell[n]
-    start[c] = start[c] - 1
-    sorted[start[c]] = n
-  end
-  for k = 0, 1 do
-    local at, half, place, reach = work.at[k], work.half[k], work.place[k], work.reach[k]
-    for p = 1, work.count do
-      place[p], reach[p] = at[sorted[p]], half[sorted[p]]
-    end
-  end
+  work.widest, work.highest = wide, high
+  work.count, work.fastest, work.meanSize = n, fastest, max(sum, constants.TINY) / max(2 * n, 1)
 end
 
 -- Returns the shares of the velocity apart that slot i and slot j take; 0: it is not moved.
@@ -185,44 +148,42 @@ local function addPair(b, work, count, m, n)
   return count
 end
 
--- Lists the pairs of bodies that are no further apart than `near` px: a body with the bodies that
--- begin after it in its row, and in the rows down to its lower edge; `most`: the largest width, px.
--- Returns how many pairs there are, and how many for each body that begins one.
-local function listNear(b, work, near, most)
-  local x, y, halfX, halfY = work.place[0], work.place[1], work.reach[0], work.reach[1]
-  local start, across, partX, partY = work.start, work.across, work.partX, work.partY
-  local sorted, count, bodies = work.sorted, 0, 0
+-- Lists the pairs of bodies that are no further apart than `near` px: a body with those in its row
+-- that begin after it, up to its right edge, and with those of the next row beside it. Returns how
+-- many there are, and how many for each body that begins one.
+local function findNear(b, work, near)
+  local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
+  local sorted, left, row, high = work.sorted, work.left, work.line, work.highest + near
+  for n = 1, work.count do
+    left[n], row[n] = x[n] - halfX[n], floor((y[n] - halfY[n]) / high)
+  end
+  sort.by(sorted, work.count, row, left, left)
+  sorted[work.count + 1], row[0] = 0, huge
+  local count, bodies, below = 0, 0, 1
   for p = 1, work.count do
-    local fromX, fromY, w, h = x[p] - work.lowX, y[p] - work.lowY, halfX[p] + near, halfY[p] + near
-    local first = max(floor((fromX - w - most) * partX), 0)
-    local final = min(floor((fromX + w) * partX), across - 1) + 1 ---@type number
-    local row, before = floor((y[p] - halfY[p] - work.lowY) * partY), count
-    for r = row, min(floor((fromY + h) * partY), work.rows - 1) do
-      for q = r == row and p + 1 or start[r * across + first], start[r * across + final] - 1 do
-        local dx, dy, reachX, reachY = x[q] - x[p], y[q] - y[p], w + halfX[q], h + halfY[q]
-        if dy < reachY and -dy < reachY and dx < reachX and -dx < reachX then
-          count = addPair(b, work, count, sorted[p], sorted[q])
+    local m, before = sorted[p], count
+    local right, most = x[m] + halfX[m] + near, left[m] - work.widest - near
+    local n = sorted[below]
+    while row[n] <= row[m] or row[n] == row[m] + 1 and left[n] < most do
+      below = below + 1
+      n = sorted[below]
+    end
+    for r = 0, 1 do
+      local q = r == 0 and p + 1 or below
+      n = sorted[q]
+      while row[n] == row[m] + r and left[n] < right do
+        local dx, dy = x[n] - x[m], y[n] - y[m]
+        local w, h = halfX[m] + halfX[n] + near, halfY[m] + halfY[n] + near
+        if dy < h and -dy < h and dx < w and -dx < w then
+          count = addPair(b, work, count, m, n)
         end
+        q = q + 1
+        n = sorted[q]
       end
     end
     bodies = count > before and bodies + 1 or bodies
   end
   return count, count / max(bodies, 1)
-end
-
--- Lists the pairs of bodies that are no further apart than `near` px. Returns the mean size, px,
--- and the two numbers of `listNear`.
-local function findNear(b, work, near)
-  local lowX, highX, width, most = extent(work, 0)
-  local lowY, highY, height = extent(work, 1)
-  local wide, high, count = highX - lowX, highY - lowY, work.count
-  local mean = max((width + height) / (2 * count), constants.TINY)
-  work.lowX, work.lowY, work.partY = lowX, lowY, 1 / max(mean * HIGH, high / count)
-  work.rows = floor(high * work.partY) + 1
-  work.partX = 1 / max(mean / FINE, wide * work.rows / (CELLS * count))
-  work.across = floor(wide * work.partX) + 1
-  sortCells(work)
-  return mean, listNear(b, work, near, most)
 end
 
 -- Returns the vector along which slots i and j part if they are at one place.
@@ -302,8 +263,8 @@ end
 -- Finds the drift of the listed bodies in a step of dt s.
 local function find(b, work, dt)
   local displacement, own = work.fastest * dt, 0.0
-  local size, count, each = findNear(b, work, NEAR * displacement)
-  local parts = min(ceil(sqrt(displacement / size * each + 0.25) - 0.5), MOST_PARTS)
+  local count, each = findNear(b, work, NEAR * displacement)
+  local parts = min(ceil(sqrt(displacement / work.meanSize * each + 0.25) - 0.5), MOST_PARTS)
   for n = 1, parts do
     local keep, part = (n - 1) / n, (4 * n - 2) / (n * (parts * parts + parts))
     own = own * keep + part
@@ -321,40 +282,21 @@ function drift.run(b, dt)
     local k = 2 * work.drifted[n]
     b.softSpeed[k], b.softSpeed[k + 1] = 0, 0
   end
-  b.driftedCount, work.count = 0, 0
+  b.driftedCount = 0
   if b.soft then
     list(b, work)
-  end
-  if work.count > 1 then
     find(b, work, dt)
   end
 end
 
---- Adds the drift to the free flight of all awake bodies.
-function drift.add(b, dt)
-  local awakeList, kind, softSpeed, displacement, speed =
-    b.awakeList, b.kind, b.softSpeed, b.displacement, b.speed
-  local without, carried = b.drifts.speed, b.carried
-  for n = 1, b.awakeCount do
-    local k = 2 * awakeList[n]
-    if kind[awakeList[n]] == DYNAMIC then
-      without[k], without[k + 1] = speed[k] + carried[k], speed[k + 1] + carried[k + 1]
-      displacement[k], displacement[k + 1] =
-        displacement[k] + softSpeed[k] * dt, displacement[k + 1] + softSpeed[k + 1] * dt
-      speed[k], speed[k + 1] = speed[k] + softSpeed[k], speed[k + 1] + softSpeed[k + 1]
-    end
-  end
-end
-
---- Gives the bodies that drift the velocity at which they start, drift included, and the
---- acceleration without it.
-function drift.start(b, dt)
+--- Lets the drift carry its bodies in this step, as a carrier does.
+function drift.add(b)
   local work = b.drifts
   for n = 1, b.driftedCount do
     local i = work.drifted[n]
     for k = 2 * i, 2 * i + 1 do
-      b.start[k] = b.freeSpeed[k] - (work.speed[k] - b.start[k])
-      b.accel[k] = (b.freeSpeed[k] - b.start[k]) / dt -- to the bit as friction computes it
+      work.speed[k], work.carried[k] = b.speed[k] + b.carried[k], b.carried[k]
+      b.carried[k] = b.carried[k] + b.softSpeed[k]
     end
   end
 end
@@ -369,6 +311,7 @@ function drift.takeOff(b)
     for k = 2 * i, 2 * i + 1 do
       local own, change = work.speed[k], b.speed[k] - b.freeSpeed[k]
       b.speed[k] = max(min(own, own + change), min(b.speed[k], max(own, own + change)))
+      b.carried[k] = work.carried[k]
     end
   end
 end

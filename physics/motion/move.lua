@@ -127,16 +127,13 @@ function move.run(b, dt)
   if b.hasHinders then
     forces.hinder(b, dt)
   end
-  if b.hasCarriers then
+  if b.hasCarriers or b.driftedCount > 0 then
     carry(b, dt)
   end
   if b.driftedCount > 0 then
-    drift.add(b, dt)
+    drift.add(b)
   end
   findEnds(b, dt)
-  if b.driftedCount > 0 then
-    drift.start(b, dt)
-  end
 end
 
 return move

@@ -29,13 +29,11 @@ local sort = require(root .. ".memory.sort")
 
 local near = {}
 
-local max, min, remove = math.max, math.min, table.remove
+local isFinite, max, min, remove = check.isFinite, math.max, math.min, table.remove
 local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 -- So many objects are compared in a few microseconds.
 local FEW = 1000
 local MARGIN = 1 -- of a fat box, px
--- Numbers with a sum up to this are all in range.
-local MOST = 1e99
 local MISSED = " was moved after this frame's first query. With more than "
   .. FEW
   .. " moving objects, call world:refresh(object) so that later queries see it"
@@ -59,13 +57,11 @@ local COLUMNS = {
 
 -- Errors: an object of which place, size or `active` cannot be used.
 local function checkPlace(b, i)
-  local object = b.object[i]
-  local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
-  local kind = type(x)
-  local areNumbers = kind == "number" and kind == type(y) and kind == type(width)
-  local isBox = areNumbers and kind == type(height) and min(width, height) > 0
-  local isInRange = isBox and max(x, -x) + max(y, -y) + width + height <= MOST
-  if not isInRange or active ~= nil and type(active) ~= "boolean" then
+  local object, active = b.object[i], b.object[i].active
+  local isAt = isFinite(object.x) and isFinite(object.y)
+  local isBox = isAt and isFinite(object.width) and isFinite(object.height)
+  local isUsable = isBox and min(object.width, object.height) > 0
+  if not isUsable or active ~= nil and type(active) ~= "boolean" then
     check.object(object, registry.placeOf, b, i)
   end
 end

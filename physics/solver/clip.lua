@@ -42,7 +42,7 @@ local AXIS, APART, SLANTED = constants.AXIS, contacts.APART, contacts.SLANTED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
 local EPSILON = constants.EPSILON
 local neighbours = links.neighbours
-local isBox, isRound, BOX = shapes.isBox, shapes.isRound, shapes.BOX
+local isBox, isRound = shapes.isBox, shapes.isRound
 local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
@@ -77,10 +77,7 @@ end
 -- Goes on with `room` and `wall` along the contacts of an axis, from low bodies to high ones
 -- (`sign` 1) or back (-1).
 local function spread(b, list, room, walls, sign)
-  local near, far, first, last = list.low, list.high, 1, list.count
-  if sign < 0 then
-    near, far, first, last = list.high, list.low, list.count, 1
-  end
+  local near, far, first, last = contacts.along(list, sign)
   for c = first, last, sign do
     local k, m = near[c], far[c]
     local place = room[k] + sign * list.separation[c]
@@ -135,10 +132,9 @@ end
 -- px from box i at (x, y) to the nearest face of slot j, at moment t; its normal, and whether it is
 -- an edge.
 local function face(b, i, j, x, y, t)
-  local size, k, m, start = b.size, 2 * i, 2 * j, b.time[j]
-  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+  local m, start = 2 * j, b.time[j]
   local ox, oy = path.at(b, m, start, t), path.at(b, m + 1, start, t)
-  return shapes.face(BOX, x, y, w, h, b.shape[j], ox, oy, ow, oh, touch.axisOf(b, i, j))
+  return touch.face(b, i, j, x, y, ox, oy, b.size)
 end
 
 -- Whether slot j, of pair p, stops box i, and does not give way.

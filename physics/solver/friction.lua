@@ -36,6 +36,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
 local constants = require(root .. ".memory.constants")
+local contacts = require(root .. ".solver.contacts")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
 local settle = require(root .. ".solver.settle")
@@ -167,18 +168,15 @@ end
 -- contacts rub, from the supports up.
 local function walk(b, list, held, dt, rubs)
   for sign = 1, -1, -2 do
-    local isForward = (sign > 0) ~= rubs
-    local first, last = isForward and 1 or list.count, isForward and list.count or 1
-    for c = first, last, isForward and 1 or -1 do
-      local up, low = list.low[c], list.high[c]
-      if sign < 0 then
-        up, low = list.high[c], list.low[c]
-      end
-      local isBorne = list.bearing[c] == sign and b.bearer[up] == c -- with all its load
+    local up, low = contacts.along(list, sign)
+    local way = rubs and -sign or sign
+    local _, _, first, last = contacts.along(list, way)
+    for c = first, last, way do
+      local isBorne = list.bearing[c] == sign and b.bearer[up[c]] == c -- with all its load
       if isBorne and rubs then
-        addContact(b, list, held, c, up, low, dt)
+        addContact(b, list, held, c, up[c], low[c], dt)
       elseif isBorne then
-        addLoad(b, list, c, up, low, sign, dt)
+        addLoad(b, list, c, up[c], low[c], sign, dt)
       end
     end
   end

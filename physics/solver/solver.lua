@@ -67,11 +67,11 @@ end
 
 -- Lists all awake bodies as changed: their paths are new.
 local function begin(b)
-  local list, changed, dirty = b.awakeList, b.changed, b.dirty
+  local list, changed, dirty, impactsOf = b.awakeList, b.changed, b.dirty, b.impactsOf
   b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
   for n = 1, b.awakeCount do
     local i = list[n]
-    changed[n], dirty[i] = i, b.dirtyStamp
+    changed[n], dirty[i], impactsOf[i] = i, b.dirtyStamp, 0
   end
 end
 

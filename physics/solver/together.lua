@@ -98,8 +98,7 @@ local function prepare(b, list, t, tau)
     local i, j = impacts.low[c], impacts.high[c]
     path.advance(b, i, t)
     path.advance(b, j, t)
-    local _, nx, ny = ball.gapNow(b, i, j, t)
-    local u, a = ball.closing(b, i, j, nx, ny, tau)
+    local u, a, nx, ny = ball.closing(b, i, j, t, tau)
     local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
     list.vx[i], list.vy[i] = ball.speedAt(b, 2 * i, tau), ball.speedAt(b, 2 * i + 1, tau)
     list.vx[j], list.vy[j] = ball.speedAt(b, 2 * j, tau), ball.speedAt(b, 2 * j + 1, tau)
@@ -163,7 +162,7 @@ function together.run(b, n)
         path.fly(b, 2 * i + 1, list.vy[i], b.accel[2 * i + 1], tau)
       end
       b.deflectedAt[i], b.mustStayAwake[i] = b.solveStamp, true
-      b.impactAt[i] = b.solveStamp
+      b.impactsOf[i] = b.impactsOf[i] + 1
     end
     b.resolved = b.resolved + 1
   end

@@ -1,42 +1,48 @@
---- What a player would notice in any game: something inside a wall, lost, or further on than its
---- speed takes it; a crush with no machine near; a stop that nothing explains; contacts that begin
---- twice or end without a beginning. It looks at the game's own tables only, with the geometry of
---- spec/support/overlap.lua, so it proves nothing by what it should prove.
+--- What a player would notice in any game: something inside a wall or another thing, lost, further
+--- on than its speed takes it, or thrown; a crush with no machine near; a stop that nothing
+--- explains; a hero that is stuck; contacts that begin twice or end without a beginning. It looks
+--- at the game's own tables only, with the geometry of spec/support/overlap.lua, so it proves
+--- nothing by what it should prove.
 
 local overlap = require("spec.support.overlap")
 
 local watcher = {}
 
-local abs, max, min = math.abs, math.max, math.min
+local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
-local SEEN = 0.02 -- px that a player may see
+local SEEN = 0.02 -- px of a wall that a player may see
+-- Px and s that two things may be in each other (balls that bounce in a knot come apart in the next
+-- frames), and share of the smaller one that they may not be in each other in any frame.
+local DEEP, BRIEF, SHARE = 0.3, 0.07, 0.25
 local NEAR = 16 -- px from what is crushed to a machine that may do it
-local FAST, STILL = 20, 1e-9 -- px/s: a stop from more to less is seen
+local PRESSED = 1 -- px from a ball to a machine that may squeeze it out, much faster than itself
+-- Px/s: a stop from more to less is seen; but not if it moved by less than a share of its size in a
+-- frame, as a ball that comes to rest in a heap.
+local FAST, STILL, SLOW = 20, 1e-9, 0.03
+-- Times what energy was before; and with `strength`, which gives away a momentum that it keeps.
+local GAINED, STRONG = 1.001, 1.25
 
---- Begins to watch a world; returns what `watcher.check` takes.
----@param world physics.World
----@param room number[] x, y, width, height, px: nothing that moves may leave it
----@param machines? table[] what may crush others
-function watcher.new(world, room, machines)
-  local self = { world = world, room = room, machines = machines or {} }
-  self.open, self.limit, self.wrong = {}, {}, nil
+--- Begins to watch a game (spec/fuzz/games.lua); returns what the other functions take.
+---@param game table with `world`, `room` (x, y, width, height, px), lists of `movers`, `solids`,
+--- `machines` (what may crush others) and `carriers`, `pull` in px/s2, `carry` in px/s, and perhaps
+--- `soft` in px/s and `vice`
+function watcher.new(game)
+  local self = { game = game, open = {}, was = {}, deep = {}, hit = {}, wrong = nil }
   self.held = {} -- what a machine has crushed, until it is free again
-  local function pairOf(a, b)
-    self.open[a] = self.open[a] or {}
-    return self.open[a], b
-  end
+  local world = game.world
   function world.onBegin(a, b)
-    local row, key = pairOf(a, b)
-    self.wrong = self.wrong or row[key] and "a contact begins twice"
-    row[key] = true
+    local row = self.open[a] or {}
+    self.open[a] = row
+    self.wrong = self.wrong or row[b] and "a contact begins twice"
+    row[b], self.hit[a], self.hit[b] = true, true, true
   end
   function world.onEnd(a, b)
-    local row, key = pairOf(a, b)
-    self.wrong = self.wrong or not row[key] and "a contact ends that has not begun"
-    row[key] = nil
+    local row = self.open[a] or {}
+    self.wrong = self.wrong or not row[b] and "a contact ends that has not begun"
+    row[b] = nil
   end
   function world.onCrush(object, a, b)
-    for _, machine in ipairs(self.machines) do
+    for _, machine in ipairs(game.machines) do
       self.held[object] = self.held[object] or overlap.depth(object, machine) > -NEAR
     end
     if not self.held[object] then
@@ -48,100 +54,188 @@ function watcher.new(world, room, machines)
   return self
 end
 
---- Notes where everything is, before an update.
-function watcher.note(self, movers)
-  for _, object in ipairs(movers) do
-    self.limit[object] = self.limit[object] or {}
-    local was = self.limit[object]
-    was.x, was.y = object.x, object.y
-    was.vx, was.vy = object.vx or 0, object.vy or 0
-    was.speed = max(abs(was.vx), abs(was.vy))
+-- Whether an object is in one of a list, or nearer to it than `gap` px.
+local function isIn(object, list, gap)
+  for _, other in ipairs(list) do
+    if other ~= object and overlap.depth(object, other) > -gap then
+      return true
+    end
   end
-end
-
-local function isLost(object, room)
-  return object.x < room[1] - SEEN
-    or object.y < room[2] - SEEN
-    or object.x + object.width > room[1] + room[3] + SEEN
-    or object.y + object.height > room[2] + room[4] + SEEN
-    or object.x ~= object.x
-    or object.y ~= object.y
-    or object.vx ~= object.vx
-    or object.vy ~= object.vy
-end
-
--- How far an object may have gone: by the faster of its speeds, its carrier's way, and a sixteenth
--- of its size.
-local function jumped(self, object, dt, carried)
-  local was = self.limit[object]
-  local speed = max(was.speed, abs(object.vx or 0), abs(object.vy or 0))
-  local own = speed * dt + min(object.width, object.height) / 16 + carried
-  local way = max(abs(object.x - was.x), abs(object.y - was.y))
-  return way > own + SEEN and way - own
+  return false
 end
 
 local function isSlope(object)
   return object and object.slope
 end
 
--- Whether an object was stopped dead twice, with nothing at its side, and no slope. (Once: it has
--- just left what it touched when the step began.)
-local function isStopped(self, object)
-  local was, t = self.limit[object], object.touching
-  local isX = abs(was.vx) > FAST
-    and abs(object.vx) < STILL
-    and not (t.left or t.right)
-    and not (isSlope(t.top) or isSlope(t.bottom))
-  local isY = abs(was.vy) > FAST
-    and abs(object.vy) < STILL
-    and not (t.top or t.bottom)
-    and not (isSlope(t.left) or isSlope(t.right))
-  local isDead = isX and was.isX or isY and was.isY
-  was.isX, was.isY = isX, isY
-  return isDead
+-- Returns the energy of all that moves, if each were faster by `more` px/s; nil: of what has moved.
+-- (A box that walks on a slope keeps its velocity on x, and has one on y besides.)
+local function energyOf(movers, more)
+  local energy = 0
+  for _, object in ipairs(movers) do
+    local vx, vy, t = object.vx or 0, object.vy or 0, object.touching
+    if not (more or object.radius) and (isSlope(t.top) or isSlope(t.bottom)) then
+      vy = 0
+    end
+    local speed = sqrt(vx * vx + vy * vy) + (more or 0)
+    energy = energy + (object.mass or 1) / 2 * speed * speed
+  end
+  return energy
 end
 
--- Whether an object is in one of some lists.
-local function isIn(object, ...)
-  for _, list in ipairs({ ... }) do
-    for _, other in ipairs(list) do
-      if other ~= object and overlap.depth(object, other) > -SEEN then
-        return true
+--- Notes where everything is, before an update of dt s.
+function watcher.note(self, dt)
+  local game, isCarried = self.game, false
+  self.hit, self.fastest = {}, 0
+  for _, object in ipairs(game.movers) do
+    local was, t = self.was[object] or {}, object.touching
+    self.was[object] = was
+    was.x, was.y = object.x, object.y
+    was.vx, was.vy = object.vx or 0, object.vy or 0
+    was.isAcross, was.isAlong = t.left or t.right, t.top or t.bottom
+    was.isPressed = object.radius and isIn(object, game.machines, PRESSED)
+    isCarried = isCarried or isIn(object, game.carriers, NEAR)
+    self.fastest = max(self.fastest, abs(was.vx), abs(was.vy))
+  end
+  -- What a machine pushes, and what that pushes, gets its speed.
+  local gain = game.pull * dt + (isCarried and game.carry or 0)
+  self.energy = energyOf(game.movers, gain)
+end
+
+local function isLost(object, room)
+  return not (
+    object.x >= room[1] - SEEN
+    and object.y >= room[2] - SEEN
+    and object.x + object.width <= room[1] + room[3] + SEEN
+    and object.y + object.height <= room[2] + room[4] + SEEN
+    and object.vx == object.vx
+    and object.vy == object.vy
+  )
+end
+
+-- How much farther an object has gone than it may: by the fastest speed of all (a ball in a crowd
+-- is squeezed out at up to `vice` times that, see docs/reliability.md), its carrier's way, `snap`
+-- and `nudge`, and a sixteenth of its size.
+local function jumped(self, object, dt)
+  local was, game = self.was[object], self.game
+  local speed = max(self.fastest, abs(object.vx or 0), abs(object.vy or 0))
+  speed = speed * (object.radius and game.vice or 1)
+  local more = (object.snap or 0) + (object.nudge or 0) + min(object.width, object.height) / 16
+  local own = (speed + game.carry + (game.soft or 0)) * dt + more + SEEN
+  return max(abs(object.x - was.x), abs(object.y - was.y)) - own
+end
+
+-- Whether a box or circle has its middle beside another one, along an axis.
+local function isBeside(object, other, at, size)
+  local middle = object[at] + object[size] / 2
+  return middle < other[at] or middle > other[at] + other[size]
+end
+
+-- Whether the contact of an object with a neighbour above or below (left or right of it: along "y",
+-- "height") is slanted: with a slope, of two circles, or of a circle with a corner.
+local function isSlanted(object, other, at, size)
+  if not other or other.slope or object.radius and other.radius then
+    return other
+  end
+  return object.radius and isBeside(object, other, at, size)
+    or other.radius and isBeside(other, object, at, size)
+end
+
+-- Whether an object was stopped dead, with nothing at its side before, during or after the step,
+-- and nothing below it that it rubs on.
+local function isStopped(self, object, dt)
+  local was, t = self.was[object], object.touching
+  local fast = max(FAST, 1.01 * self.game.pull * dt, SLOW * object.width / dt)
+  local isX = abs(was.vx) > fast
+    and abs(object.vx) < STILL
+    and not (was.isAcross or t.left or t.right)
+    and not (object.friction and (was.isAlong or t.top or t.bottom))
+    and not (isSlanted(object, t.top, "x", "width") or isSlanted(object, t.bottom, "x", "width"))
+  local isY = abs(was.vy) > fast
+    and abs(object.vy) < STILL
+    and not (was.isAlong or t.top or t.bottom)
+    and not (isSlanted(object, t.left, "y", "height") or isSlanted(object, t.right, "y", "height"))
+  return (isX or isY) and not self.hit[object]
+end
+
+-- Returns which two things are in each other, or nil.
+local function findDeep(self, dt)
+  local movers, deep = self.game.movers, self.deep
+  self.deep = {}
+  for n, one in ipairs(movers) do
+    for m = n + 1, #movers do
+      local other = movers[m]
+      local depth = overlap.depth(one, other)
+      local isSoft = self.game.soft and n > 1
+      if depth > DEEP and not (isSoft or self.held[one] or self.held[other]) then
+        local key = 1000 * n + m
+        self.deep[key] = (deep[key] or 0) + dt
+        local most = SHARE * min(one.width, one.height, other.width, other.height)
+        if depth > most or self.deep[key] > BRIEF then
+          local text = "%d and %d by %g px, for %g s"
+          return "overlap", text:format(n, m, depth, self.deep[key])
+        end
       end
     end
   end
-  return false
 end
 
 --- Looks at everything after an update of dt s. Returns what is wrong, or nil.
----@param self table
----@param movers table[] what the library moves
----@param solids table[] what it may not go into
----@param dt number s
----@param carried number px that carriers, nudges and snaps may add in that time
-function watcher.check(self, movers, solids, dt, carried)
+function watcher.check(self, dt)
+  local game = self.game
   if self.wrong then
     return "pairs", self.wrong
   end
-  for n, object in ipairs(movers) do
+  for n, object in ipairs(game.movers) do
     -- It may be pressed into something, and is sent elsewhere; a ball shoots out of a vice.
-    local isHeld = self.held[object] or object.radius and isIn(object, self.machines)
-    if not isHeld and isLost(object, self.room) then
+    local isHeld = self.held[object] or object.radius and isIn(object, game.machines, SEEN)
+    if not isHeld and isLost(object, game.room) then
       return "lost", ("%d is at %g, %g"):format(n, object.x, object.y)
     end
-    for m, solid in ipairs(solids) do
+    for m, solid in ipairs(game.solids) do
       local depth = overlap.depth(object, solid)
       if depth > SEEN and not isHeld then
         return "inside", ("%d is %g px in solid %d"):format(n, depth, m)
       end
     end
-    local far = jumped(self, object, dt, carried)
-    self.held[object] = isHeld and isIn(object, solids, self.machines)
-    if far and not isHeld then
+    local far = jumped(self, object, dt)
+    local isStill = isHeld
+      and (isIn(object, game.solids, SEEN) or isIn(object, game.machines, SEEN))
+    self.held[object] = isStill or nil
+    if far > 0 and not (isHeld or self.was[object].isPressed) then
       return "jump", ("%d goes %g px too far"):format(n, far)
-    elseif isStopped(self, object) and not isHeld then
+    elseif isStopped(self, object, dt) and not isHeld then
       return "stop", ("%d stops dead at %g, %g"):format(n, object.x, object.y)
     end
+  end
+  local energy = energyOf(game.movers)
+  local gained = game.hero and game.hero.strength and STRONG or GAINED
+  if energy > self.energy * gained and not next(self.held) then
+    return "energy", ("%g of %g"):format(energy, self.energy)
+  end
+  return findDeep(self, dt)
+end
+
+--- Looks whether the hero of a game is stuck: no machine is near, and it can leave in no direction.
+--- Returns what is wrong, or nil. The game is as before.
+function watcher.findStuck(self)
+  local game, most = self.game, 0
+  local hero, state = game.hero, game.world:save()
+  if not hero or self.held[hero] or isIn(hero, game.machines, 2) then
+    return
+  end
+  for n = 0, 3 do
+    local x, y = hero.x, hero.y
+    for _ = 1, 10 do
+      hero.gravity = 0
+      hero.vx, hero.vy = 60 * ({ 1, -1, 0, 0 })[n + 1], 60 * ({ 0, 0, 1, -1 })[n + 1]
+      game.world:update(1 / 60)
+    end
+    most = max(most, abs(hero.x - x), abs(hero.y - y))
+    game.world:restore(state)
+  end
+  if most < 0.5 then
+    return "stuck", ("the hero at %g, %g"):format(hero.x, hero.y)
   end
 end
 

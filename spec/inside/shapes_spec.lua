@@ -3,6 +3,7 @@
 
 local lines = require("physics.space.lines")
 local newRandom = require("spec.support.random").new
+local small = require("spec.support.small")
 local shapes = require("physics.space.shapes")
 
 local NAMES = { [0] = "box", "circle", "left", "right", "topleft", "topright" }
@@ -121,36 +122,29 @@ end)
 
 describe("shapes.meet", function()
   -- Of 8 px; the first is 10 px further right than where the second begins, which is at 8.
-  for _, row in ipairs({ { 0, 1 }, { 10, -1 } }) do
-    local way, side = row[1], row[2]
-    it(
-      ("leaves by the nearest side, or by the one it came in by: %d px ago"):format(way),
-      function()
-        shapes.setPair(0, 10, 0, 8, 8, 0, 8, 0, 8, 8)
-        local share, nx, ny, _, isDeep = shapes.meet(1, 0, 1, way, 0)
-        assert.same({ 0, side, 0, true }, { share, nx, ny, isDeep })
-      end
-    )
-  end
+  local WAYS = { { 0, 1 }, { 10, -1 } }
+  small.rows("leaves by the nearest side, or where it came in {1} px ago", WAYS, function(way, side)
+    shapes.setPair(0, 10, 0, 8, 8, 0, 8, 0, 8, 8)
+    local share, nx, ny, _, isDeep = shapes.meet(1, 0, 1, way, 0)
+    assert.same({ 0, side, 0, true }, { share, nx, ny, isDeep })
+  end)
 end)
 
-describe("lines.passage", function()
-  it("begins and ends where points of the line are in the shape", function()
-    local random = newRandom(5)
-    for n = 1, 1200 do
-      local shape = n % 6
-      local w, h = random:between(5, 40), random:between(5, 40)
-      h = shape == 1 and w or h
-      local x, y = random:between(-60, 60), random:between(-60, 60)
-      local dx, dy = random:between(-99, 99) + 0.5, random:between(-99, 99) + 0.5
-      local enters, leaves = lines.passage(shape, 0, 0, w, h, x, y, dx, dy)
-      for at = 0, 1, 0.05 do
-        local isIn = lines.isIn(shape, 0, 0, w, h, x + dx * at, y + dy * at)
-        local isNear = math.abs(at - enters) < 1e-9 or math.abs(at - leaves) < 1e-9
-        assert.equal(at > enters and at < leaves, isNear and at > enters and at < leaves or isIn)
-      end
+it("lines.passage begins and ends where points of the line are in the shape", function()
+  local random = newRandom(5)
+  for n = 1, 1200 do
+    local shape = n % 6
+    local w, h = random:between(5, 40), random:between(5, 40)
+    h = shape == 1 and w or h
+    local x, y = random:between(-60, 60), random:between(-60, 60)
+    local dx, dy = random:between(-99, 99) + 0.5, random:between(-99, 99) + 0.5
+    local enters, leaves = lines.passage(shape, 0, 0, w, h, x, y, dx, dy)
+    for at = 0, 1, 0.05 do
+      local isIn = lines.isIn(shape, 0, 0, w, h, x + dx * at, y + dy * at)
+      local isNear = math.abs(at - enters) < 1e-9 or math.abs(at - leaves) < 1e-9
+      assert.equal(at > enters and at < leaves, isNear and at > enters and at < leaves or isIn)
     end
-  end)
+  end
 end)
 
 -- A shape is a row of `space/shapes`, not a branch in each file. These numbers only go down.

@@ -231,47 +231,39 @@ describe("onBegin and the others: after one has failed", function()
   end)
 
   -- Each of them fails once, at its first, second, ... call.
-  for _, name in ipairs({ "onBegin", "onStay", "onEnd", "canCollide" }) do
-    for _, which in ipairs({ "world", "a", "b" }) do
-      it(
-        name .. " of " .. which .. ", the world goes the way of one in which it did not",
-        function()
-          local failures = 0
-          for at = 1, 12 do
-            local calls, armed = 0, true
-            local function callback()
-              calls = calls + 1
-              if armed and calls == at then
-                failures = failures + 1
-                error(FAILURE, 0)
-              end
-              return true
-            end
-            local scene, twin = newScene(), newScene()
-            scene.world.onBegin, scene.world.onEnd = nil, nil
-            twin.world.onBegin, twin.world.onEnd = nil, nil
-            scene[which][name] = callback
-            twin[which][name] = function()
-              return true
-            end
-            for _ = 1, 60 do
-              local ok, message = pcall(scene.world.update, scene.world, DT)
-              assert(ok or message == FAILURE, message)
-              if not ok and name == "canCollide" then
-                scene.world:update(DT) -- that step was not made
-              end
-              twin.world:update(DT)
-              assert.same(snapshot(twin), snapshot(scene))
-            end
-            armed = false
-          end
-          -- Some of them are never called here.
-          assert.is_true(
-            failures > 0 or (name == "onEnd" and which ~= "b"),
-            "failures: " .. failures
-          )
+  local CALLBACKS = { "onBegin", "onStay", "onEnd", "canCollide" }
+  local cases = small.cross(CALLBACKS, { "world", "a", "b" })
+  small.rows("{1} of {2}, the world goes on as if it had not", cases, function(name, which)
+    local failures = 0
+    for at = 1, 12 do
+      local calls, armed = 0, true
+      local function callback()
+        calls = calls + 1
+        if armed and calls == at then
+          failures = failures + 1
+          error(FAILURE, 0)
         end
-      )
+        return true
+      end
+      local scene, twin = newScene(), newScene()
+      scene.world.onBegin, scene.world.onEnd = nil, nil
+      twin.world.onBegin, twin.world.onEnd = nil, nil
+      scene[which][name] = callback
+      twin[which][name] = function()
+        return true
+      end
+      for _ = 1, 60 do
+        local ok, message = pcall(scene.world.update, scene.world, DT)
+        assert(ok or message == FAILURE, message)
+        if not ok and name == "canCollide" then
+          scene.world:update(DT) -- that step was not made
+        end
+        twin.world:update(DT)
+        assert.same(snapshot(twin), snapshot(scene))
+      end
+      armed = false
     end
-  end
+    -- Some of them are never called here.
+    assert.is_true(failures > 0 or (name == "onEnd" and which ~= "b"), "failures: " .. failures)
+  end)
 end)

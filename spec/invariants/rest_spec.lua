@@ -5,24 +5,22 @@ local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 
-describe("rest: a resting heap", function()
-  it("is woken as a whole by a shot", function()
-    local world = physics.newWorld({ gravity = 600 })
-    world:add("floor", { x = 0, y = 600, width = 400, height = 20, static = true })
-    for n = 0, 39 do
-      local x, y = 100 + 20 * (n % 4), 580 - 5 * (n - n % 4)
-      world:add("boxes", { x = x, y = y, width = 20, height = 20 })
-    end
+it("rest: a resting heap is woken as a whole by a shot", function()
+  local world = physics.newWorld({ gravity = 600 })
+  world:add("floor", { x = 0, y = 600, width = 400, height = 20, static = true })
+  for n = 0, 39 do
+    local x, y = 100 + 20 * (n % 4), 580 - 5 * (n - n % 4)
+    world:add("boxes", { x = x, y = y, width = 20, height = 20 })
+  end
+  world:update(1 / 60)
+  world:update(1 / 60)
+  assert.equal(40, world.stats.resting)
+  world:add("shots", { x = 0, y = 500, width = 8, height = 8, vx = 900, gravity = 0 })
+  repeat
+    assert.is_true(world.objects.shots[1].x < 100)
     world:update(1 / 60)
-    world:update(1 / 60)
-    assert.equal(40, world.stats.resting)
-    world:add("shots", { x = 0, y = 500, width = 8, height = 8, vx = 900, gravity = 0 })
-    repeat
-      assert.is_true(world.objects.shots[1].x < 100)
-      world:update(1 / 60)
-    until world.stats.resting < 40
-    assert.equal(0, world.stats.resting)
-  end)
+  until world.stats.resting < 40
+  assert.equal(0, world.stats.resting)
 end)
 
 describe("rest: a crate behind a thin wall", function()

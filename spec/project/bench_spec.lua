@@ -48,19 +48,17 @@ describe("the overlap measure", function()
   end)
 end)
 
-describe("the command line", function()
-  it("reads --name value and --name=value, and refuses what is wrong", function()
-    local chosen = options.read({ "--scene", "pile,gas", "--n=500,60", "--steps", "9", "--json" })
-    assert.same({ "pile", "gas" }, chosen.scenes)
-    assert.same({ { 500, 60 }, 9, true }, { chosen.sizes, chosen.steps, chosen.json })
-    for wrong, message in pairs({
-      ["--scene=heap"] = "bench: --scene: there is no heap; --list shows what there is",
-      ["--steps=1.5"] = "bench: --steps must be an integer, got 1.5",
-      ["--limit=-1"] = "bench: --limit must be a number > 0, got -1",
-    }) do
-      assert.same({ false, message }, { pcall(options.read, { wrong }) })
-    end
-  end)
+it("the command line reads --name value and --name=value, and refuses what is wrong", function()
+  local chosen = options.read({ "--scene", "pile,gas", "--n=500,60", "--steps", "9", "--json" })
+  assert.same({ "pile", "gas" }, chosen.scenes)
+  assert.same({ { 500, 60 }, 9, true }, { chosen.sizes, chosen.steps, chosen.json })
+  for wrong, message in pairs({
+    ["--scene=heap"] = "bench: --scene: there is no heap; --list shows what there is",
+    ["--steps=1.5"] = "bench: --steps must be an integer, got 1.5",
+    ["--limit=-1"] = "bench: --limit must be a number > 0, got -1",
+  }) do
+    assert.same({ false, message }, { pcall(options.read, { wrong }) })
+  end
 end)
 
 describe("a scene", function()
@@ -137,9 +135,7 @@ local function newScene(more)
       world:step(1 / 60)
     end,
   }
-  for field, value in pairs(more or {}) do
-    scene[field] = value
-  end
+  small.set(scene, more)
   return scene
 end
 
@@ -165,25 +161,23 @@ describe("the bounds of a scene", function()
   end)
 end)
 
-describe("a measurement", function()
-  it("plays all frames, and finds the overlap of every tenth", function()
-    local engine = newEngine({})
-    engine.World.read = function(world, index)
-      return world.objects[index].x, 0
-    end
-    local result = measure.times(engine, newScene({ worlds = 2, steps = 20 }), 60)
-    assert.equal(20, result.steps)
-    assert.is_false(result.isLimited)
-    assert.truthy(result.median <= result.p99 and result.p99 <= result.worst)
-    local moving = newScene({ worlds = 1, warmUp = 2, steps = 20 })
-    moving.frame = function(world)
-      world.objects[1].x = world.objects[1].x + 1
-    end
-    moving.objects[2].x = 20
-    -- 2 + 10 frames: x = 12, 2 px in the wall; 2 + 20: x = 22, 8 px.
-    result = measure.quality(engine, moving, 60)
-    assert.same({ 2, 8, 8 }, { result.looks, result.overlap, result.overlapAtEnd })
-  end)
+it("a measurement plays all frames, and finds the overlap of every tenth", function()
+  local engine = newEngine({})
+  engine.World.read = function(world, index)
+    return world.objects[index].x, 0
+  end
+  local result = measure.times(engine, newScene({ worlds = 2, steps = 20 }), 60)
+  assert.equal(20, result.steps)
+  assert.is_false(result.isLimited)
+  assert.truthy(result.median <= result.p99 and result.p99 <= result.worst)
+  local moving = newScene({ worlds = 1, warmUp = 2, steps = 20 })
+  moving.frame = function(world)
+    world.objects[1].x = world.objects[1].x + 1
+  end
+  moving.objects[2].x = 20
+  -- 2 + 10 frames: x = 12, 2 px in the wall; 2 + 20: x = 22, 8 px.
+  result = measure.quality(engine, moving, 60)
+  assert.same({ 2, 8, 8 }, { result.looks, result.overlap, result.overlapAtEnd })
 end)
 
 describe("the report", function()

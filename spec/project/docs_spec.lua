@@ -52,10 +52,7 @@ local function anchorsOf(path)
     local anchor = title:lower():gsub("[^%w%-_ ]", ""):gsub(" ", "-")
     -- (Nothing links to the parts of a version.)
     local isOfEachVersion = path == "CHANGELOG.md" and VERSION_PARTS[title]
-    assert.is_nil(
-      not isOfEachVersion and anchors[anchor] or nil,
-      path .. " has two headings " .. title
-    )
+    assert.is_nil(not isOfEachVersion and anchors[anchor] or nil, path .. " has twice " .. title)
     anchors[anchor] = true
   end
   for anchor in text:gmatch('<a id="([^"]+)">') do

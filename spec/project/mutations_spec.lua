@@ -47,20 +47,18 @@ describe("scripts/mutations.lua", function()
   end)
 end)
 
-describe("scripts/coverage.lua", function()
-  it("marks the statements that begin a line, and counts those that are run", function()
-    local _, marked = coverage.marked(SOURCE, "_")
-    local list = {}
-    for line in pairs(marked) do
-      list[#list + 1] = line
-    end
-    table.sort(list)
-    assert.same({ 2, 3, 4, 6, 9 }, list)
-    local text, lines =
-      coverage.marked("local x = 1\nif x > 1 then\n  x = 2\nend\nreturn x\n", "SEEN")
-    rawset(_G, "SEEN", lines)
-    assert.equal(1, (rawget(_G, "loadstring") or load)(text)())
-    rawset(_G, "SEEN", nil)
-    assert.same({ true, true, false, nil, true }, lines)
-  end)
+it("scripts/coverage.lua marks statements that begin a line, and counts those run", function()
+  local _, marked = coverage.marked(SOURCE, "_")
+  local list = {}
+  for line in pairs(marked) do
+    list[#list + 1] = line
+  end
+  table.sort(list)
+  assert.same({ 2, 3, 4, 6, 9 }, list)
+  local text, lines =
+    coverage.marked("local x = 1\nif x > 1 then\n  x = 2\nend\nreturn x\n", "SEEN")
+  rawset(_G, "SEEN", lines)
+  assert.equal(1, (rawget(_G, "loadstring") or load)(text)())
+  rawset(_G, "SEEN", nil)
+  assert.same({ true, true, false, nil, true }, lines)
 end)

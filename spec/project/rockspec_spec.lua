@@ -40,19 +40,16 @@ describe("the rockspec", function()
     assert.is_true(running >= tonumber(least) and running < tonumber(below))
   end)
 
-  it(
-    "of a release says the same, but for version, tag and what follows from the address",
-    function()
-      local main, release = run(ADDRESSED), run(publish.rockspec("1.2.3", ADDRESSED))
-      assert.same({ url = "git+" .. ADDRESS, tag = "v1.2.3" }, release.source)
-      assert.equal("1.2.3-1", release.version)
-      assert.equal(ADDRESS, release.description.homepage)
-      assert.equal(ADDRESS .. "/issues", release.description.issues_url)
-      release.version, release.source = main.version, main.source
-      release.description.homepage, release.description.issues_url = nil, nil
-      assert.same(main, release)
-    end
-  )
+  it("of a release says the same, but for version, tag and address", function()
+    local main, release = run(ADDRESSED), run(publish.rockspec("1.2.3", ADDRESSED))
+    assert.same({ url = "git+" .. ADDRESS, tag = "v1.2.3" }, release.source)
+    assert.equal("1.2.3-1", release.version)
+    assert.equal(ADDRESS, release.description.homepage)
+    assert.equal(ADDRESS .. "/issues", release.description.issues_url)
+    release.version, release.source = main.version, main.source
+    release.description.homepage, release.description.issues_url = nil, nil
+    assert.same(main, release)
+  end)
 end)
 
 describe("publishing", function()
@@ -107,11 +104,9 @@ describe("publishing", function()
   end)
 end)
 
-describe("the changelog", function()
-  it("tells what is unreleased first, or the version of the library", function()
-    local first = read("CHANGELOG.md"):match("\n## ([^\n]+)")
-    local version = require("physics")._VERSION
-    assert.equal(first == "Unreleased", version:find("%-dev$") ~= nil)
-    assert.is_true(first == "Unreleased" or first:match("^[%d%.]+") == version)
-  end)
+it("the changelog tells what is unreleased first, or the version of the library", function()
+  local first = read("CHANGELOG.md"):match("\n## ([^\n]+)")
+  local version = require("physics")._VERSION
+  assert.equal(first == "Unreleased", version:find("%-dev$") ~= nil)
+  assert.is_true(first == "Unreleased" or first:match("^[%d%.]+") == version)
 end)

@@ -103,13 +103,7 @@ describe("vx and vy: seams of a shaft", function()
 
   -- pressed against a side of it, or not
   row("(1e) do not brake what falls through it, at vx = {vx}", EVERYWHERE, shaftAnd({ y = 0 }, 0), {
-    {
-      1,
-      keep = "body.vx = vx",
-      "body at 100, 400 * t * t",
-      "body.vx == 0",
-      "body.vy ~ 800 * t",
-    },
+    { 1, keep = "body.vx = vx", "body at 100, 400 * t * t", "body.vx == 0", "body.vy ~ 800 * t" },
   }, { "vx", { 0 }, { -100 } })
 
   local BOX = shaftAnd({ y = 20, width = 16, height = 16 }, 100)

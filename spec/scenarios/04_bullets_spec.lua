@@ -81,11 +81,7 @@ describe("vx and onBegin: bullets", function()
   --   +-+ ->   ||  a sensor 2 px wide
   --   +-+      ||
   local SENSOR = scene.maker("sensors", { sensor = true, static = true })("sensor", 50, 0, 2, 100)
-  row("(4) are seen by a thin sensor that they cross in one step", EVERYWHERE, {
-    gravity = 0,
-    SENSOR,
-    bullet(),
-  }, {
+  row("(4) are seen by a sensor crossed in a step", EVERYWHERE, { gravity = 0, SENSOR, bullet() }, {
     "listen bullet; listen sensor; log = run:listenToWorld()",
     { 1 / 6, "bullet at 6000 * t, 48", "bullet.vx == 6000", "bullet touches" },
     "sensor heard 1, 1; bullet heard 1, 1; log.begins == 1; log.ends == 1",

@@ -204,10 +204,7 @@ describe("kinematic: on and off a platform:", function()
 
   -- Own vx before and after the landing on a platform at 60 px/s.
   local function above(v)
-    return {
-      platform({ x = 0, width = 400, vx = 60 }),
-      rider({ x = 150, y = 350, vx = v.before }),
-    }
+    return { platform({ x = 0, width = 400, vx = 60 }), rider({ x = 150, y = 350, vx = v.before }) }
   end
   row("a box that lands with vx = {before} has vx = {after} there", SOME, above, {
     0.5,

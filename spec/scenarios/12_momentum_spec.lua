@@ -54,32 +54,26 @@ describe("mass and restitution: momentum", function()
   --   +---+        +-+
   --   | 2 | 100 -> |1|
   --   +---+        +-+
-  play.row(
-    "(12) is kept, {m} kg at {v} into {n} kg at {w}, restitution {e}",
-    EVERYWHERE,
-    function(v)
-      local one = box("a", 0, 0, 16, 16, { vx = v.v, mass = v.m, restitution = v.e })
-      return { gravity = 0, one, box("b", 40, 4, 16, 16, { vx = v.w, mass = v.n }) }
-    end,
-    {
-      1,
-      "a.vx ~ after; b.vx ~ otherAfter; a.vy == 0; b.vy == 0; m1 = 24 / (v - w)",
-      -- with both, they meet at their moment and go on from there
-      "a.x ~ run.push == 'both' and v * m1 + after * (1 - m1) or a.x",
-      "b.x ~ run.push == 'both' and 40 + w * m1 + otherAfter * (1 - m1) or b.x",
-    },
-    {
-      "e, m, n, v, w, after, otherAfter",
-      { 1, 2, 1, 100, 0, 100 / 3, 400 / 3 },
-      { 0, 2, 1, 100, 0, 200 / 3, 200 / 3 },
-      { 0.5, 2, 1, 100, 0, 50, 100 },
-      { 1, 1, 1, 100, 0, 0, 100 },
-      { 1, 1, 1000, 100, 0, 100 * (1 - 1000) / 1001, 200 / 1001 },
-      { 1, 1000, 1, 100, 0, 100 * 999 / 1001, 200 * 1000 / 1001 },
-      { 0, 1, 3, 100, -20, 10, 10 },
-      { 1, 1, 3, 100, 20, -20, 60 },
-    }
-  )
+  play.row("(12) is kept: {m} kg at {v}, {n} kg at {w}, restitution {e}", EVERYWHERE, function(v)
+    local one = box("a", 0, 0, 16, 16, { vx = v.v, mass = v.m, restitution = v.e })
+    return { gravity = 0, one, box("b", 40, 4, 16, 16, { vx = v.w, mass = v.n }) }
+  end, {
+    1,
+    "a.vx ~ after; b.vx ~ otherAfter; a.vy == 0; b.vy == 0; m1 = 24 / (v - w)",
+    -- with both, they meet at their moment and go on from there
+    "a.x ~ run.push == 'both' and v * m1 + after * (1 - m1) or a.x",
+    "b.x ~ run.push == 'both' and 40 + w * m1 + otherAfter * (1 - m1) or b.x",
+  }, {
+    "e, m, n, v, w, after, otherAfter",
+    { 1, 2, 1, 100, 0, 100 / 3, 400 / 3 },
+    { 0, 2, 1, 100, 0, 200 / 3, 200 / 3 },
+    { 0.5, 2, 1, 100, 0, 50, 100 },
+    { 1, 1, 1, 100, 0, 0, 100 },
+    { 1, 1, 1000, 100, 0, 100 * (1 - 1000) / 1001, 200 / 1001 },
+    { 1, 1000, 1, 100, 0, 100 * 999 / 1001, 200 * 1000 / 1001 },
+    { 0, 1, 3, 100, -20, 10, 10 },
+    { 1, 1, 3, 100, 20, -20, 60 },
+  })
 
   --   +-+ -> +-++-++-++-+
   --   +-+    +-++-++-++-+   Newton's cradle: only the last one leaves
@@ -140,31 +134,27 @@ describe("restitution, friction and mass: energy does not come out of nowhere", 
   --  =====   +--+
   --  ledge   |  | 267, comes up
   --          +--+
-  scene.it(
-    "when what stands on a ledge is struck from below: the ledge holds it no longer",
-    EVERYWHERE,
-    function(run)
-      local named = run:build({
-        scene.maker("tiles", { static = true })(nil, 0, 100, 50, 20),
-        box("plank", 20, 84, 60, 16, { mass = 0.001, restitution = 0.4 }),
-        box("weight", 25, 68, 16, 16, { mass = 76 }),
-        box("hammer", 60, 110, 16, 16, { mass = 267, restitution = 0.5, vy = -147 }),
-      })
-      local function energy()
-        local sum = 0
-        for _, view in pairs({ named.plank, named.weight, named.hammer }) do
-          sum = sum + (view.mass or 1) * (view.vy * view.vy / 2 + 800 * (200 - view.y))
-        end
-        return sum
+  scene.it("when what is on a ledge is struck from below, and leaves it", EVERYWHERE, function(run)
+    local named = run:build({
+      scene.maker("tiles", { static = true })(nil, 0, 100, 50, 20),
+      box("plank", 20, 84, 60, 16, { mass = 0.001, restitution = 0.4 }),
+      box("weight", 25, 68, 16, 16, { mass = 76 }),
+      box("hammer", 60, 110, 16, 16, { mass = 267, restitution = 0.5, vy = -147 }),
+    })
+    local function energy()
+      local sum = 0
+      for _, view in pairs({ named.plank, named.weight, named.hammer }) do
+        sum = sum + (view.mass or 1) * (view.vy * view.vy / 2 + 800 * (200 - view.y))
       end
-      local before = energy()
-      for _ in run:steps(0.5) do
-        local now = energy()
-        run:check(now <= before * 1.001, "energy rose from %.9g to %.9g", before, now)
-        run:check(named.weight.vy >= -147, "the weight flies up at %.6g px/s", named.weight.vy)
-      end
+      return sum
     end
-  )
+    local before = energy()
+    for _ in run:steps(0.5) do
+      local now = energy()
+      run:check(now <= before * 1.001, "energy rose from %.9g to %.9g", before, now)
+      run:check(named.weight.vy >= -147, "the weight flies up at %.6g px/s", named.weight.vy)
+    end
+  end)
 
   it("in a room of 40 boxes of very different mass, at up to 3000 px/s", function()
     local levels = { push = variants.PUSHES, rate = { 30, 60, 144 }, order = { "forward" } }
@@ -224,92 +214,81 @@ describe("restitution, friction and mass: energy does not come out of nowhere", 
 end)
 
 -- Several reach a wall in one step, one behind the other.
-describe("restitution: a column of boxes of 8 px that falls", function()
-  small.rows(
-    "keeps its order, and none is in another: {1} of restitution {2}",
-    { { 2, 0 }, { 5, 0 }, { 6, 0.4 }, { 12, 0.4 } },
-    function(count, restitution)
-      local levels = { rate = { 30, 60, 144 }, shift = { 0 }, push = { "both" } }
-      scene.each(levels, function(run)
-        for height = 100, 500, effort.share(20, 100) do
-          local description = { box("floor", -50, 0, 100, 20, { static = true }) }
-          for i = 1, count do
-            local y = -height - i * (8 + height % 3 + 1)
-            local fields = { restitution = restitution }
-            description[i + 1] = box("box" .. i, i % 2 * 2, y, 8, 8, fields)
-          end
-          local named = run:build(description)
-          for _ in run:steps(1.5) do
-            for i = 2, count do
-              local gap = named["box" .. i - 1].y - named["box" .. i].y - 8
-              run:check(gap > -0.05, "%d is %g px in the one below", i, -gap)
-            end
-          end
+local COLUMNS = { { 2, 0 }, { 5, 0 }, { 6, 0.4 }, { 12, 0.4 } }
+small.rows("restitution: a column keeps its order: {1}, {2}", COLUMNS, function(count, restitution)
+  local levels = { rate = { 30, 60, 144 }, shift = { 0 }, push = { "both" } }
+  scene.each(levels, function(run)
+    for height = 100, 500, effort.share(20, 100) do
+      local description = { box("floor", -50, 0, 100, 20, { static = true }) }
+      for i = 1, count do
+        local y = -height - i * (8 + height % 3 + 1)
+        local fields = { restitution = restitution }
+        description[i + 1] = box("box" .. i, i % 2 * 2, y, 8, 8, fields)
+      end
+      local named = run:build(description)
+      for _ in run:steps(1.5) do
+        for i = 2, count do
+          local gap = named["box" .. i - 1].y - named["box" .. i].y - 8
+          run:check(gap > -0.05, "%d is %g px in the one below", i, -gap)
         end
-      end)
+      end
     end
-  )
+  end)
 end)
 
-describe("restitution: a box that comes back from a wall", function()
-  --   C ->>     B      A ->>>|    A hits the wall, B, and the wall again; B hits C before that
-  it("meets in one step what comes the other way", function()
-    local levels = { rate = { 30 }, push = { "both" }, order = { "forward", "shuffled" } }
-    scene.each(levels, function(run)
-      local description = { gravity = 0, maxStep = 1 / 30, wall(nil, 100, 0, 20, 100) }
-      local A, B, C = { vx = 3000, restitution = 1 }, { restitution = 1 }, { restitution = 1 }
-      C.vx = 666
-      description[#description + 1] = box("A", 80, 50, 10, 10, A)
-      description[#description + 1] = box("B", 50, 50, 10, 10, B)
-      description[#description + 1] = box("C", 20, 50, 10, 10, C)
-      local named = run:build(description)
-      run:step(1 / 30)
-      run:near("x of A", named.A.x, 62.2, 1e-9)
-      run:near("x of B", named.B.x, 50, 1e-9)
-      run:near("x of C", named.C.x, -20, 1e-9)
-    end)
+--   C ->>     B      A ->>>|    A hits the wall, B, and the wall again; B hits C before that
+it("restitution: a box back from a wall meets in one step what comes its way", function()
+  local levels = { rate = { 30 }, push = { "both" }, order = { "forward", "shuffled" } }
+  scene.each(levels, function(run)
+    local description = { gravity = 0, maxStep = 1 / 30, wall(nil, 100, 0, 20, 100) }
+    local A, B, C = { vx = 3000, restitution = 1 }, { restitution = 1 }, { restitution = 1 }
+    C.vx = 666
+    description[#description + 1] = box("A", 80, 50, 10, 10, A)
+    description[#description + 1] = box("B", 50, 50, 10, 10, B)
+    description[#description + 1] = box("C", 20, 50, 10, 10, C)
+    local named = run:build(description)
+    run:step(1 / 30)
+    run:near("x of A", named.A.x, 62.2, 1e-9)
+    run:near("x of B", named.B.x, 50, 1e-9)
+    run:near("x of C", named.C.x, -20, 1e-9)
   end)
 end)
 
 -- What settles in the last rounds of a step.
-describe("restitution: ten boxes of 0.9 in a row that meet a heavier one", function()
-  -- Steps a second, their speed, and px between them, the last up to the heavy one.
-  small.rows("are never in each other: {2} px/s, {1} Hz", {
-    { 30, 631, { 0, 0, 0, 0, 1.6, 0.1, 0, 0, 1.7, 11.1 } },
-    { 60, 452, { 0, 0, 0.2, 0, 0, 0, 1.5, 0, 0.2, 6.9 } },
-  }, function(rate, speed, gaps)
-    scene.each({ rate = { rate }, push = { "both" } }, function(run)
-      local description, x = { gravity = 0 }, 0
-      for i = 1, 10 do
-        description[i] = box("box" .. i, x, 0, 20, 20, { vx = speed, restitution = 0.9 })
-        x = x + 20 + gaps[i]
+-- Steps a second, their speed, and px between them, the last up to the heavy one.
+small.rows("restitution: ten of 0.9 that meet a heavier one stay apart: {2} px/s, {1} Hz", {
+  { 30, 631, { 0, 0, 0, 0, 1.6, 0.1, 0, 0, 1.7, 11.1 } },
+  { 60, 452, { 0, 0, 0.2, 0, 0, 0, 1.5, 0, 0.2, 6.9 } },
+}, function(rate, speed, gaps)
+  scene.each({ rate = { rate }, push = { "both" } }, function(run)
+    local description, x = { gravity = 0 }, 0
+    for i = 1, 10 do
+      description[i] = box("box" .. i, x, 0, 20, 20, { vx = speed, restitution = 0.9 })
+      x = x + 20 + gaps[i]
+    end
+    description[11] = box("box11", x, -10, 32, 40, { vx = -100, mass = 5 })
+    local named = run:build(description)
+    for _ in run:steps(1) do
+      for i = 2, 11 do
+        local gap = named["box" .. i].x - named["box" .. i - 1].x - 20
+        run:check(gap > -0.05, "%d is %g px in the one before", i, -gap)
       end
-      description[11] = box("box11", x, -10, 32, 40, { vx = -100, mass = 5 })
-      local named = run:build(description)
-      for _ in run:steps(1) do
-        for i = 2, 11 do
-          local gap = named["box" .. i].x - named["box" .. i - 1].x - 20
-          run:check(gap > -0.05, "%d is %g px in the one before", i, -gap)
-        end
-      end
-    end)
+    end
   end)
 end)
 
-describe("restitution and masks: shots that pass each other", function()
-  it("all bounce off a wall that they reach in one step", function()
-    scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
-      local description = { gravity = 0, masks = { boxes = { boxes = false } } }
-      description[1] = wall(nil, 1000, 0, 24, 800)
-      for i = 1, 30 do
-        local fields = { vx = 900, restitution = 1 }
-        description[i + 1] = box("shot" .. i, 994 - i * 0.4, 12 * i, 6, 6, fields)
-      end
-      local named = run:build(description)
-      run:step(1 / 30)
-      for i = 1, 30 do
-        run:near("vx", named["shot" .. i].vx, -900, 1e-9)
-      end
-    end)
+it("restitution and masks: shots that pass each other all bounce off a wall in one step", function()
+  scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
+    local description = { gravity = 0, masks = { boxes = { boxes = false } } }
+    description[1] = wall(nil, 1000, 0, 24, 800)
+    for i = 1, 30 do
+      local fields = { vx = 900, restitution = 1 }
+      description[i + 1] = box("shot" .. i, 994 - i * 0.4, 12 * i, 6, 6, fields)
+    end
+    local named = run:build(description)
+    run:step(1 / 30)
+    for i = 1, 30 do
+      run:near("vx", named["shot" .. i].vx, -900, 1e-9)
+    end
   end)
 end)

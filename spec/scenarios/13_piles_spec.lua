@@ -114,17 +114,13 @@ describe("friction: a pile", function()
 
   -- Sliding boxes go on sliding until they drop into a gap: the pile is lower than one with
   -- friction, and sinks for a long time.
-  scene.it(
-    "(13) of 1000 boxes without friction slides together and does not overlap #slow",
-    GRID,
-    function(run)
-      run:build(pile(COUNT, WIDTH, nil))
-      playPile(run, 20)
-      checkInside(run, WIDTH)
-      checkSupported(run)
-      run:near("mean height", meanHeight(run), SLID_HEIGHT, 5)
-    end
-  )
+  scene.it("(13) of 1000 boxes without friction slides together, apart #slow", GRID, function(run)
+    run:build(pile(COUNT, WIDTH, nil))
+    playPile(run, 20)
+    checkInside(run, WIDTH)
+    checkSupported(run)
+    run:near("mean height", meanHeight(run), SLID_HEIGHT, 5)
+  end)
 
   local FIRST = { push = { "first" }, shift = { 0, 0.3 }, order = { "forward" } }
   FIRST.broadphase = { "grid" }

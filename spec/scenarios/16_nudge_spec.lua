@@ -257,12 +257,7 @@ describe("nudge with gravity", function()
 
   local LIFT = scene.maker("lifts", { kinematic = true, vy = -60 })("lift", 140, 200, 64, 8)
   local UNDER = { BLOCK, LIFT, body(161, 176, 0, 0, { nudge = 4 }) }
-  row("on a lift under a corner is moved aside", SOME, UNDER, {
-    2,
-    "body at 164, 56",
-    "body on lift",
-    "body still",
-  })
+  row("on a lift moves aside", SOME, UNDER, { 2, "body at 164, 56", "body on lift", "body still" })
 end)
 
 --           ##

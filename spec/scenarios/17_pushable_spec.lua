@@ -48,13 +48,7 @@ describe("pushable = false", function()
     { "meets another", "U 0 100 1 V 100 -100 10", "", 2, "U at 42, 100; V at 58, 100; U still" },
     { "meets a slow one", "U 0 100 1 V 100 -50 10", "", 2, "U at 56, 100; V at 72, 100; V still" },
     { "meets a fast one", "U 0 10 1 V 100 -200 10", "", 2, "U at 4, 100; V at 20, 100; U still" },
-    {
-      "presses a box to another",
-      "U 0 100 1 P 50 0 1 V 100 0 1",
-      "",
-      2,
-      "U at 68, 100; P at 84, 100",
-    },
+    { "presses to another", "U 0 100 1 P 50 0 1 V 100 0 1", "", 2, "U at 68, 100; P at 84, 100" },
     { "meets one that stands", "U 0 100 1 V 100 0 1", "", 2, "U at 84, 100; V at 100, 100" },
     { "stands, and is met", "U 0 0 1 V 100 -100 10", "", 2, "U at 0, 100; V at 16, 100; V still" },
     { "meets at 6000 px/s", "U 0 6000 1 V 100 -6000 9", "", 2, "U at 42, 100; V at 58, 100" },
@@ -227,7 +221,7 @@ describe("pushable = false: a boss and what is inside it", function()
   end)
 
   row(
-    "part, and a player of {width} x {height} px, mass {mass}, moves",
+    "part, and a player of {width} x {height}, mass {mass}, moves",
     FEW,
     function(v)
       return { GROUND, BOSS, player("player", v.x, v.y, v.width, v.height, { mass = v.mass }) }
@@ -253,8 +247,5 @@ describe("pushable = false: a boss and what is inside it", function()
   end, PARTED)
 
   local OTHER = movable("other", 260, 236, 80, 64, { pushable = false, mass = 100 })
-  row("part, if it is another boss", FEW, { GROUND, BOSS, OTHER }, {
-    1,
-    "expectApart(run); boss.x < other.x",
-  })
+  row("part from a boss", FEW, { GROUND, BOSS, OTHER }, { 1, "expectApart(run); boss.x < other.x" })
 end)

@@ -81,14 +81,9 @@ describe("slope: hills", function()
   }, walks)
 
   local CREST = onHill(100, nil, crate("heavy", 207, 320, 16, 16, { mass = 9 }))
-  row(
-    "(P1) keep what bumps into a crate on the crest on the ground",
-    { rate = { 30, 60 } },
-    CREST,
-    {
-      { 1, keep = "body.vx = 200", "body.y ~ floorAt(body.x) - 24" },
-    }
-  )
+  row("(P1) keep down what bumps into a crate on the crest", { rate = { 30, 60 } }, CREST, {
+    { 1, keep = "body.vx = 200", "body.y ~ floorAt(body.x) - 24" },
+  })
 
   -- `m`: of the right edge: 44 px flat, 143.1 up, 116 flat, 90.5 down, flat
   local FAIR = onHill(20, { constantSpeed = true })
@@ -324,16 +319,11 @@ describe("slope: hills", function()
   local REFUSED = { solid("flat", -400, 400, 480, 40), solid("same", 1600, 400, 480, 40) }
   REFUSED[3], REFUSED[4] = slope(80, 400, 64, 16, "left"), body({ x = 20, y = 376 })
   REFUSED[5] = body({ name = "other", x = 2020, y = 376 })
-  row(
-    "canCollide: let fall what walks onto one that refuses it",
-    { rate = { 20, 30, 60 } },
-    REFUSED,
-    {
-      "function slope.raw.canCollide() return false end",
-      "world:refresh(slope.raw)",
-      { 0.5, keep = "body.vx, other.vx = 330, 330", "body at other.x - 2000, other.y" },
-    }
-  )
+  row("canCollide: let fall what it refuses", { rate = { 20, 30, 60 } }, REFUSED, {
+    "function slope.raw.canCollide() return false end",
+    "world:refresh(slope.raw)",
+    { 0.5, keep = "body.vx, other.vx = 330, 330", "body at other.x - 2000, other.y" },
+  })
 
   local LEG = { solid("flat", -400, 400, 1200, 40), slope(80, 336, 128, 64, "right") }
   LEG[3] = body({ x = 250, y = 376 })

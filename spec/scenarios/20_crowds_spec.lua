@@ -139,30 +139,24 @@ describe("x, vx and pushable: a crowd", function()
     end
   end)
 
-  it(
-    "of a box and two circles in a room leaves an unpushable player on its straight way",
-    function()
-      local world = physics.newWorld({ gravity = 0 })
-      world:setBounds(0, 0, 100, 60)
-      local player = world:add("players", small.put(2, 20, 16, 16, { pushable = false }))
-      for n, place in ipairs({ { 78, 27 }, { 53, 7 }, { 27, 16 } }) do
-        world:add(
-          "enemies",
-          small.put(place[1], place[2], 12, 12, { radius = n ~= 2 and 6 or nil })
-        )
-      end
-      for _ = 1, 90 do
-        for _, enemy in ipairs(world.objects.enemies) do
-          local dx, dy = player.x + 5 - enemy.x, player.y + 5 - enemy.y
-          local share = 75 / math.max(1, math.sqrt(dx * dx + dy * dy))
-          enemy.vx, enemy.vy = share * dx, share * dy
-        end
-        player.vx, player.vy = 60, 0
-        world:update(1 / 60)
-        assert.same({ 20, 0 }, { player.y, player.vy })
-      end
+  it("of a box and two circles leaves an unpushable player on its straight way", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:setBounds(0, 0, 100, 60)
+    local player = world:add("players", small.put(2, 20, 16, 16, { pushable = false }))
+    for n, place in ipairs({ { 78, 27 }, { 53, 7 }, { 27, 16 } }) do
+      world:add("enemies", small.put(place[1], place[2], 12, 12, { radius = n ~= 2 and 6 or nil }))
     end
-  )
+    for _ = 1, 90 do
+      for _, enemy in ipairs(world.objects.enemies) do
+        local dx, dy = player.x + 5 - enemy.x, player.y + 5 - enemy.y
+        local share = 75 / math.max(1, math.sqrt(dx * dx + dy * dy))
+        enemy.vx, enemy.vy = share * dx, share * dy
+      end
+      player.vx, player.vy = 60, 0
+      world:update(1 / 60)
+      assert.same({ 20, 0 }, { player.y, player.vy })
+    end
+  end)
 
   -- Most of them overlap the player, or each other; it must not go anywhere.
   it("of bodies put onto an unpushable player at rest leaves it where it is", function()
@@ -232,47 +226,44 @@ describe("x, vx and pushable: a crowd", function()
   end)
 
   -- count of boxes of 10 px; width and height of the room around them; columns and rows
-  for _, given in ipairs({ { 9, 900, 900, 3, 3 }, { 12, 900, 25, 6, 2 }, { 12, 25, 900, 2, 6 } }) do
-    local count, width, height, columns, rows = given[1], given[2], given[3], given[4], given[5]
-    it(
-      ("at one spot, %d in %d by %d px, lies in %d columns"):format(count, width, height, columns),
-      function()
-        local world, cells = physics.newWorld({ gravity = 0 }), {}
-        world:setBounds(-width / 2, -height / 2, width, height)
-        for _ = 1, count do
-          world:add("bodies", { x = -5, y = -5, width = 10, height = 10 })
-        end
-        small.run(world, 60)
-        for _, body in ipairs(world.objects.bodies) do
-          local column, line = body.x / 10 + columns / 2, body.y / 10 + rows / 2
-          cells[1 + math.floor(column + 0.5) + columns * math.floor(line + 0.5)] = true
-          assert.near(math.floor(column + 0.5), column, 1e-6)
-          assert.near(math.floor(line + 0.5), line, 1e-6)
-        end
-        assert.equal(count, #cells)
+  local SPOTS = { { 9, 900, 900, 3, 3 }, { 12, 900, 25, 6, 2 }, { 12, 25, 900, 2, 6 } }
+  small.rows(
+    "at one spot, {1} in {2} x {3}, lies in {4} columns",
+    SPOTS,
+    function(count, width, height, columns, rows)
+      local world, cells = physics.newWorld({ gravity = 0 }), {}
+      world:setBounds(-width / 2, -height / 2, width, height)
+      for _ = 1, count do
+        world:add("bodies", { x = -5, y = -5, width = 10, height = 10 })
       end
-    )
-  end
+      small.run(world, 60)
+      for _, body in ipairs(world.objects.bodies) do
+        local column, line = body.x / 10 + columns / 2, body.y / 10 + rows / 2
+        cells[1 + math.floor(column + 0.5) + columns * math.floor(line + 0.5)] = true
+        assert.near(math.floor(column + 0.5), column, 1e-6)
+        assert.near(math.floor(line + 0.5), line, 1e-6)
+      end
+      assert.equal(count, #cells)
+    end
+  )
 end)
 
 -- Pressed slanted, circles are left to their heap: as impacts they met again until the rounds ran
 -- out, and what overlapped then hopped by up to 9 px.
-describe("radius: a crowd in which one of two is a circle", function()
-  it("presses to an unpushable player without a hop", function()
-    local crowd = crowds.new({ count = 60, seed = 2, goal = "firm", drive = "vx", balls = 0.5 })
-    local most = crowds.FASTEST / 60 + 20 / 16 -- its own way, and a sixteenth of its size
-    for step = 1, 120 do
-      local places = {}
-      for n, enemy in ipairs(crowd.enemies) do
-        places[n] = { enemy.x, enemy.y }
-      end
-      crowd:step(1 / 60)
-      for n, enemy in ipairs(step > 30 and crowd.enemies or {}) do
-        local x, y = enemy.x - places[n][1], enemy.y - places[n][2]
-        assert.is_true(math.max(x, -x, y, -y) <= most, x .. ", " .. y)
-      end
+it("radius: a crowd, half circles, presses to an unpushable player without a hop", function()
+  local crowd = crowds.new({ count = 60, seed = 2, goal = "firm", drive = "vx", balls = 0.5 })
+  local most = crowds.FASTEST / 60 + 20 / 16 -- its own way, and a sixteenth of its size
+  for step = 1, 120 do
+    local places = {}
+    for n, enemy in ipairs(crowd.enemies) do
+      places[n] = { enemy.x, enemy.y }
     end
-  end)
+    crowd:step(1 / 60)
+    for n, enemy in ipairs(step > 30 and crowd.enemies or {}) do
+      local x, y = enemy.x - places[n][1], enemy.y - places[n][2]
+      assert.is_true(math.max(x, -x, y, -y) <= most, x .. ", " .. y)
+    end
+  end
 end)
 
 -- Plays a crowd that begins near its goal, for a second. Returns how deep its boxes have been in

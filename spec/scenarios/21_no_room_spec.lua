@@ -117,19 +117,11 @@ local SPOTS = {
   },
   { "40 in a corner of a floor", { FLOOR, wall(-20, -300, 20, 400) }, spot(40, 0, 92, 8) },
   { "16 in a corridor of 64 px", { FLOOR, wall(-600, 20, 1200, 16) }, spot(16, 0, 60, 16) },
-  {
-    "16 in a corridor of 64 px, on its floor",
-    { FLOOR, wall(-600, 20, 1200, 16) },
-    spot(16, 0, 84, 16),
-  },
+  { "16 in a corridor, on its floor", { FLOOR, wall(-600, 20, 1200, 16) }, spot(16, 0, 84, 16) },
   { "8 in a corridor of 100 px", { FLOOR, wall(-600, -16, 1200, 16) }, spot(8, 0, 40, 16) },
   { "30 in a corridor of 20 px", { FLOOR, wall(-600, 64, 1200, 16) }, spot(30, 0, 85, 8) },
   { "30 under a ceiling of 4 px", { FLOOR, wall(-300, -104, 600, 4) }, spot(30, 0, -100, 8) },
-  {
-    "20 in a niche open to the right",
-    { FLOOR, wall(-20, 0, 20, 100), wall(0, 40, 100, 8) },
-    spot(20, 0, 48, 8),
-  },
+  { "20 in a niche", { FLOOR, wall(-20, 0, 20, 100), wall(0, 40, 100, 8) }, spot(20, 0, 48, 8) },
   { "40 on a floor", { FLOOR }, spot(40, 0, 92, 8) },
   { "20 on a thin shelf", { FLOOR, wall(-100, 40, 200, 1) }, spot(20, 0, 32, 8) },
 }
@@ -299,67 +291,59 @@ describe("x, y and width: a closed room", function()
   end)
 end)
 
-describe("add: a heap", function()
-  it("takes one crate a step into its middle: all are apart 1.5 s later, and rest", function()
-    scene.each(LEVELS, function(run)
-      local description =
-        { wall(-20, -600, 20, 800), wall(120, -600, 20, 800), wall(0, 200, 120, 16) }
-      local _, watch = build(run, join(description, heap(70, 4, 12, 120, 200)))
-      local random, added = newRandom(6), 0
-      scene.watch(run, watch, 0.5, function()
-        if added < 15 then
-          added = added + 1
-          local x, y = random:between(0, 108), random:between(120, 188)
-          local crate = { x = x, y = y, width = 12, height = 12, friction = 0.3 }
-          run.all[#run.all + 1] = run:add("boxes", crate).raw
-        end
-      end)
-      scene.watch(run, watch, 1.5)
-      overlap.expectApart(run, 0.2) -- ten of 12 px fill a row exactly
-      scene.watch(run, watch, 1)
-      expectRest(run, watch)
+it("add: a heap takes a crate a step into its middle, and rests 1.5 s later, all apart", function()
+  scene.each(LEVELS, function(run)
+    local description =
+      { wall(-20, -600, 20, 800), wall(120, -600, 20, 800), wall(0, 200, 120, 16) }
+    local _, watch = build(run, join(description, heap(70, 4, 12, 120, 200)))
+    local random, added = newRandom(6), 0
+    scene.watch(run, watch, 0.5, function()
+      if added < 15 then
+        added = added + 1
+        local x, y = random:between(0, 108), random:between(120, 188)
+        local crate = { x = x, y = y, width = 12, height = 12, friction = 0.3 }
+        run.all[#run.all + 1] = run:add("boxes", crate).raw
+      end
     end)
+    scene.watch(run, watch, 1.5)
+    overlap.expectApart(run, 0.2) -- ten of 12 px fill a row exactly
+    scene.watch(run, watch, 1)
+    expectRest(run, watch)
   end)
 end)
 
-describe("kinematic: a machine that leaves no room", function()
-  small.rows(
-    "{1}, {2} boxes of {3} sizes: none gets out, also when it goes back #slow",
-    MACHINES,
-    function(name, count, sizes)
-      scene.each(LEVELS, function(run)
-        local cell = math.floor(ROOM / math.ceil(math.sqrt(count)))
-        local description = join({}, wallsFor(name))
-        for i, way in ipairs(WAYS[name]) do
-          description[#description + 1] = machineFor("machine", i, way)
-        end
-        local boxes = heap(count, 5, cell, ROOM, ROOM, sizes == "equal")
-        local named, watch = build(run, join(description, boxes))
-        local crushed = 0
-        run.world.onCrush = function()
-          crushed = crushed + 1
-        end
-        local function drive(speed)
-          for i, way in ipairs(WAYS[name]) do
-            named["machine" .. i].vx, named["machine" .. i].vy = speed * way[3], speed * way[4]
-          end
-        end
-        drive(SPEED)
-        scene.watch(run, watch, 1.5) -- 30 px are left of 120
-        drive(0)
-        run:check(crushed > 0, "nothing was crushed")
-        scene.watch(run, watch, count < MANY and REST or REST_OF_MANY)
-        expectRest(run, watch)
-        drive(-SPEED)
-        scene.watch(run, watch, 1.5)
-        drive(0)
-        scene.watch(run, watch, 3 * APART)
-        overlap.expectApart(run)
-        scene.watch(run, watch, 1)
-        expectRest(run, watch)
-      end)
+small.rows("kinematic: a machine keeps in: {1}, {2} #slow", MACHINES, function(name, count, sizes)
+  scene.each(LEVELS, function(run)
+    local cell = math.floor(ROOM / math.ceil(math.sqrt(count)))
+    local description = join({}, wallsFor(name))
+    for i, way in ipairs(WAYS[name]) do
+      description[#description + 1] = machineFor("machine", i, way)
     end
-  )
+    local boxes = heap(count, 5, cell, ROOM, ROOM, sizes == "equal")
+    local named, watch = build(run, join(description, boxes))
+    local crushed = 0
+    run.world.onCrush = function()
+      crushed = crushed + 1
+    end
+    local function drive(speed)
+      for i, way in ipairs(WAYS[name]) do
+        named["machine" .. i].vx, named["machine" .. i].vy = speed * way[3], speed * way[4]
+      end
+    end
+    drive(SPEED)
+    scene.watch(run, watch, 1.5) -- 30 px are left of 120
+    drive(0)
+    run:check(crushed > 0, "nothing was crushed")
+    scene.watch(run, watch, count < MANY and REST or REST_OF_MANY)
+    expectRest(run, watch)
+    drive(-SPEED)
+    scene.watch(run, watch, 1.5)
+    drive(0)
+    scene.watch(run, watch, 3 * APART)
+    overlap.expectApart(run)
+    scene.watch(run, watch, 1)
+    expectRest(run, watch)
+  end)
 end)
 
 describe("broadphase and rest: what has no room", function()
@@ -371,9 +355,7 @@ describe("broadphase and rest: what has no room", function()
     for _, list in ipairs({ description, more }) do
       for _, entry in ipairs(list) do
         local object = {}
-        for field, value in pairs(entry[2]) do
-          object[field] = value
-        end
+        small.set(object, entry[2])
         objects[#objects + 1] = world:add(entry[1], object)
         object.vx = object.kinematic and 60 or nil
       end

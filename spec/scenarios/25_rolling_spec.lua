@@ -68,28 +68,24 @@ local function near(expected, value, tolerance)
 end
 
 describe("slope and radius: a ball on a slope", function()
-  small.rows(
-    "rolls down {1} degrees by g sin, friction or not",
-    { 10, 30, 45, 70 },
-    function(degrees)
-      for n = 1, 6 do
-        local rate, rises = RATES[(n - 1) % #RATES + 1], math.tan(math.rad(degrees))
-        local slope = static(0, 0, 2000, 2000 * rises, "left")
-        local world = newWorld(slope)
-        local ball, alongX, alongY = ballOn(slope, 300, { friction = n > 3 and 1 or 0 })
-        world:add("balls", ball)
-        local x, y = ball.x, ball.y
-        each(1, rate, world, function(time)
-          local way, speed = GRAVITY * alongY * time * time / 2, GRAVITY * alongY * time
-          near(x + alongX * way, ball.x)
-          near(y + alongY * way, ball.y)
-          near(alongX * speed, ball.vx)
-          near(alongY * speed, ball.vy)
-          near(0, gapOf(ball, slope))
-        end)
-      end
+  small.rows("rolls down {1} degrees by g sin", { 10, 30, 45, 70 }, function(degrees)
+    for n = 1, 6 do
+      local rate, rises = RATES[(n - 1) % #RATES + 1], math.tan(math.rad(degrees))
+      local slope = static(0, 0, 2000, 2000 * rises, "left")
+      local world = newWorld(slope)
+      local ball, alongX, alongY = ballOn(slope, 300, { friction = n > 3 and 1 or 0 })
+      world:add("balls", ball)
+      local x, y = ball.x, ball.y
+      each(1, rate, world, function(time)
+        local way, speed = GRAVITY * alongY * time * time / 2, GRAVITY * alongY * time
+        near(x + alongX * way, ball.x)
+        near(y + alongY * way, ball.y)
+        near(alongX * speed, ball.vx)
+        near(alongY * speed, ball.vy)
+        near(0, gapOf(ball, slope))
+      end)
     end
-  )
+  end)
 
   it("rolls in the same way wherever gravity points", function()
     for _, way in ipairs({ { "left", 0, 1 }, { "topright", 0, -1 }, { "left", 1, 0 } }) do

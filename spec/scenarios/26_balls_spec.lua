@@ -8,7 +8,6 @@ local small = require("spec.support.small")
 local yielding = require("physics.narrowphase.yielding")
 
 local run, tile = small.play, small.tile
-local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 local long = effort.isFirst and it or pending
 
@@ -64,32 +63,28 @@ describe("radius: a ball", function()
   --      o ->      The normal is (-0.6, -0.8): the ball's centre is at (94, 92).
   --        \ +----
   --          |
-  for _, rate in ipairs(RATES) do
-    for _, speed in ipairs({ 0, 300, -90 }) do
-      local title = "bounces along the true normal off a corner that goes at %d px/s, at %d Hz"
-      it(title:format(speed, rate), function()
-        local world = physics.newWorld({ gravity = 0 })
-        world:add("walls", small.put(100, 100, 50, 50, { kinematic = true, vx = speed }))
-        local fields = { vx = 200 + speed, restitution = 1 }
-        local object = world:add("balls", ball(54, 92, 10, fields))
-        run(world, 1, rate)
-        -- v - 2 n (n v) = (200, 0) - 2 (-0.6, -0.8) (-120); it is there after 0.2 s.
-        near(56 + speed, object.vx, LATER)
-        near(-192, object.vy, LATER)
-        near(94 + 0.8 * 56 - 10 + speed, object.x, 1e-6)
-        near(92 - 0.8 * 192 - 10, object.y, 1e-6)
-      end)
-    end
+  local cases = small.cross(RATES, { 0, 300, -90 })
+  small.rows("bounces along the normal off a corner: {2} px/s, {1} Hz", cases, function(rate, speed)
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("walls", small.put(100, 100, 50, 50, { kinematic = true, vx = speed }))
+    local fields = { vx = 200 + speed, restitution = 1 }
+    local object = world:add("balls", ball(54, 92, 10, fields))
+    run(world, 1, rate)
+    -- v - 2 n (n v) = (200, 0) - 2 (-0.6, -0.8) (-120); it is there after 0.2 s.
+    near(56 + speed, object.vx, LATER)
+    near(-192, object.vy, LATER)
+    near(94 + 0.8 * 56 - 10 + speed, object.x, 1e-6)
+    near(92 - 0.8 * 192 - 10, object.y, 1e-6)
+  end)
 
-    it(("slides off it without a bounce, at %d Hz"):format(rate), function()
-      local world = physics.newWorld({ gravity = 0 })
-      world:add("walls", tile(100, 100, 50, 50))
-      local object = world:add("balls", ball(54, 92, 10, { vx = 200 }))
-      run(world, 0.5, rate)
-      near(200 - 0.6 * 120, object.vx, LATER)
-      near(-0.8 * 120, object.vy, LATER)
-    end)
-  end
+  small.rows("slides off it without a bounce, at {1} Hz", RATES, function(rate)
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("walls", tile(100, 100, 50, 50))
+    local object = world:add("balls", ball(54, 92, 10, { vx = 200 }))
+    run(world, 0.5, rate)
+    near(200 - 0.6 * 120, object.vx, LATER)
+    near(-0.8 * 120, object.vy, LATER)
+  end)
 
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
@@ -145,26 +140,22 @@ describe("radius: a ball", function()
   --      #|   |
   --      #+---+o <-     (`degrees`: of the normal, which leads from the corner to the ball)
   --      ##########
-  small.rows(
-    "stays at the corner that it is pressed against, at {1} degrees",
-    { 15, 45, 75 },
-    function(degrees)
-      for n = 1, 12 do
-        local x, y = 46 + 8 * math.cos(math.rad(degrees)), 46 + 8 * math.sin(math.rad(degrees))
-        local world = physics.newWorld({ gravity = 0 })
-        world:add("walls", tile(0, 0, 30, 100))
-        world:add("walls", tile(30, 0, 100, 30))
-        world:add("walls", tile(30, y + 8, 100, 20))
-        world:add("boxes", small.box(30, 30))
-        local object = world:add("balls", ball(x, y, 8))
-        for _ = 1, 4 do
-          object.vx = -60 * n
-          world:update(1 / 60)
-          near(x - 8, object.x, 0.5) -- (what is struck by less is left to its weight)
-        end
+  small.rows("stays at a corner, pressed there at {1} degrees", { 15, 45, 75 }, function(degrees)
+    for n = 1, 12 do
+      local x, y = 46 + 8 * math.cos(math.rad(degrees)), 46 + 8 * math.sin(math.rad(degrees))
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("walls", tile(0, 0, 30, 100))
+      world:add("walls", tile(30, 0, 100, 30))
+      world:add("walls", tile(30, y + 8, 100, 20))
+      world:add("boxes", small.box(30, 30))
+      local object = world:add("balls", ball(x, y, 8))
+      for _ = 1, 4 do
+        object.vx = -60 * n
+        world:update(1 / 60)
+        near(x - 8, object.x, 0.5) -- (what is struck by less is left to its weight)
       end
     end
-  )
+  end)
 
   it("rests on the floor, carries, is carried, and sleeps", function()
     local world = physics.newWorld({ gravity = 800 })
@@ -265,22 +256,20 @@ describe("radius: a ball", function()
   end)
 end)
 
-describe("radius and pushable: two balls that cannot be pushed", function()
-  it("do not push each other, met slanted", function()
-    for _, offset in ipairs({ 0, 4, 8, 12, 16 }) do
-      local world = physics.newWorld({ gravity = 0 })
-      local one = world:add("players", ball(10, 10, 10, { pushable = false }))
-      local other = world:add("others", ball(50, 10 + offset, 10, { pushable = false }))
-      for _ = 1, 60 do
-        one.vx = 100
-        world:update(1 / 60)
-        near(40, other.x)
-        near(offset, other.y)
-        local x, y = other.x - one.x, other.y - one.y
-        assert.is_true(math.sqrt(x * x + y * y) >= 20 - 1e-6)
-      end
+it("radius and pushable: two balls without do not push each other, met slanted", function()
+  for _, offset in ipairs({ 0, 4, 8, 12, 16 }) do
+    local world = physics.newWorld({ gravity = 0 })
+    local one = world:add("players", ball(10, 10, 10, { pushable = false }))
+    local other = world:add("others", ball(50, 10 + offset, 10, { pushable = false }))
+    for _ = 1, 60 do
+      one.vx = 100
+      world:update(1 / 60)
+      near(40, other.x)
+      near(offset, other.y)
+      local x, y = other.x - one.x, other.y - one.y
+      assert.is_true(math.sqrt(x * x + y * y) >= 20 - 1e-6)
     end
-  end)
+  end
 end)
 
 describe("radius and pushable: a ball that cannot be pushed", function()
@@ -295,9 +284,7 @@ describe("radius and pushable: a ball that cannot be pushed", function()
       local world = physics.newWorld({ gravity = 0 })
       local one = { x = 0, y = 110, width = 60, height = 60, radius = 30, pushable = pushable }
       local copy = {}
-      for name, value in pairs(wall) do
-        copy[name] = value
-      end
+      small.set(copy, wall)
       world:add("walls", copy)
       world:add("bosses", one)
       for _ = 1, 180 do
@@ -311,87 +298,80 @@ describe("radius and pushable: a ball that cannot be pushed", function()
   end)
 
   -- It falls at 277 px/s. An exact wedge of 1 : 64 would shoot out the lower one at 18 000 px/s.
-  for _, offset in ipairs({ 0.25, 1, 4, 6 }) do
-    it(
-      ("presses a ball aside without shooting it out, %g px off its middle"):format(offset),
-      function()
-        local world = physics.newWorld({ gravity = 800 })
-        world:add("walls", tile(-500, 100, 1000, 20))
-        local lower = world:add("balls", ball(0, 92, 8))
-        local upper = world:add("stones", ball(offset, 28, 8, { pushable = false }))
-        for _ = 1, 60 do
-          world:update(1 / 60)
-          assert.is_true(math.abs(lower.vx) < 4 * 277, lower.vx)
-          local x, y = lower.x - upper.x, lower.y - upper.y
-          assert.is_true(math.sqrt(x * x + y * y) > 14)
-        end
-        near(84, upper.y)
-      end
-    )
-  end
+  small.rows("presses a ball aside without a shot, {1} px off", { 0.25, 1, 4, 6 }, function(offset)
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("walls", tile(-500, 100, 1000, 20))
+    local lower = world:add("balls", ball(0, 92, 8))
+    local upper = world:add("stones", ball(offset, 28, 8, { pushable = false }))
+    for _ = 1, 60 do
+      world:update(1 / 60)
+      assert.is_true(math.abs(lower.vx) < 4 * 277, lower.vx)
+      local x, y = lower.x - upper.x, lower.y - upper.y
+      assert.is_true(math.sqrt(x * x + y * y) > 14)
+    end
+    near(84, upper.y)
+  end)
 end)
 
 -- Balls on a lift in an open shaft, which rises at full speed: none is in it, and none passes it.
 describe("radius and kinematic: balls in a heap", function()
-  for _, row in ipairs({ { "lift", 30, 300, 14 }, { "slope", 12, 110, 55, "right" } }) do
-    local name, count, width, height, slope = unpack(row, 1, 5)
-    for _, rate in ipairs({ 30, 60, 144 }) do
-      it(("stay on a %s that rises at 900 px/s, at %d Hz"):format(name, rate), function()
-        local world, deepest = physics.newWorld({ gravity = 900 }), 0
-        world:add("walls", tile(-150, -9000, 150, 9500))
-        world:add("walls", tile(width, -9000, 150, 9500))
-        local fields = { kinematic = true, slope = slope }
-        local lift = world:add("lifts", small.put(0, 300, width, height, fields))
-        for i = 1, count do
-          local x = 10 + (i * 37) % (width - 20)
-          world:add("balls", ball(x, 290 - 20 * i, 8, { restitution = 0.6 }))
-        end
-        for step = 1, effort.share(10, 3) * rate do
-          local goal = step % rate < rate / 5 and 255 or 300
-          local most = goal < lift.y and 900 / rate or 250 / rate
-          lift.y = lift.y + math.max(-most, math.min(goal - lift.y, most))
-          world:update(1 / rate)
-          for _, one in ipairs(world.objects.balls) do
-            deepest = math.max(deepest, one.y + 8 - lift.y - height)
-            if not slope then
-              deepest = math.max(deepest, one.y + 16 - lift.y)
-            end
-          end
-        end
-        near(0, math.max(deepest, 0), 0.01)
-      end)
+  local cases = small.cross({ { "lift", 30, 300, 14 }, { "slope", 12, 110, 55 } }, { 30, 60, 144 })
+  local title = "stay on a {1} that rises at 900 px/s, at {5} Hz"
+  small.rows(title, cases, function(name, count, width, height, rate)
+    local slope = name == "slope" and "right" or nil
+    local world, deepest = physics.newWorld({ gravity = 900 }), 0
+    world:add("walls", tile(-150, -9000, 150, 9500))
+    world:add("walls", tile(width, -9000, 150, 9500))
+    local fields = { kinematic = true, slope = slope }
+    local lift = world:add("lifts", small.put(0, 300, width, height, fields))
+    for i = 1, count do
+      local x = 10 + (i * 37) % (width - 20)
+      world:add("balls", ball(x, 290 - 20 * i, 8, { restitution = 0.6 }))
     end
-  end
+    for step = 1, effort.share(10, 3) * rate do
+      local goal = step % rate < rate / 5 and 255 or 300
+      local most = goal < lift.y and 900 / rate or 250 / rate
+      lift.y = lift.y + math.max(-most, math.min(goal - lift.y, most))
+      world:update(1 / rate)
+      for _, one in ipairs(world.objects.balls) do
+        deepest = math.max(deepest, one.y + 8 - lift.y - height)
+        if not slope then
+          deepest = math.max(deepest, one.y + 16 - lift.y)
+        end
+      end
+    end
+    near(0, math.max(deepest, 0), 0.01)
+  end)
 end)
 
 -- A cue ball at 1500 px/s, and a triangle of so many balls that touch each other.
 describe("radius and restitution: a flush rack", function()
-  for _, count in ipairs({ 3, 6, 15 }) do
-    for _, rate in ipairs({ 30, 60, 144 }) do
-      it(("keeps the energy of the cue ball: %d balls at %d Hz"):format(count, rate), function()
-        local world, list = physics.newWorld({ gravity = 0 }), {}
-        world:add("balls", ball(100, 300, 14, { restitution = 1, vx = 1500 }))
-        local column = 0
-        while #list < count do
-          for n = 0, column do
-            local x, y = 300 + column * 14 * math.sqrt(3), 300 + (2 * n - column) * 14
-            list[#list + 1] = world:add("balls", ball(x, y, 14, { restitution = 1 }))
-          end
-          column = column + 1
+  small.rows(
+    "keeps the energy of the cue ball: {1} balls at {2} Hz",
+    small.cross({ 3, 6, 15 }, { 30, 60, 144 }),
+    function(count, rate)
+      local world, list = physics.newWorld({ gravity = 0 }), {}
+      world:add("balls", ball(100, 300, 14, { restitution = 1, vx = 1500 }))
+      local column = 0
+      while #list < count do
+        for n = 0, column do
+          local x, y = 300 + column * 14 * math.sqrt(3), 300 + (2 * n - column) * 14
+          list[#list + 1] = world:add("balls", ball(x, y, 14, { restitution = 1 }))
         end
-        run(world, 1, rate)
-        local energy = 0
-        for _, one in ipairs(world.objects.balls) do
-          energy = energy + (one.vx * one.vx + one.vy * one.vy) / (1500 * 1500)
-        end
-        near(1, energy, 1e-9)
-        if count == 3 then -- the normals are at 30 degrees, so each ball gets 0.6 * 1500 along x
-          near(900, list[2].vx, LATER)
-          near(-list[2].vy, list[3].vy, LATER)
-        end
-      end)
+        column = column + 1
+      end
+      run(world, 1, rate)
+      local energy = 0
+      for _, one in ipairs(world.objects.balls) do
+        energy = energy + (one.vx * one.vx + one.vy * one.vy) / (1500 * 1500)
+      end
+      near(1, energy, 1e-9)
+      if count == 3 then -- the normals are at 30 degrees, so each ball gets 0.6 * 1500 along x
+        near(900, list[2].vx, LATER)
+        near(-list[2].vy, list[3].vy, LATER)
+      end
     end
-  end
+  )
 end)
 
 describe("radius and slope: a marble", function()
@@ -471,16 +451,14 @@ end)
 --   '-.     kinematic, down
 --   .-'-(_)-----        The two faces meet far away on the left: the nearest place in front of both
 --   |     '-.___        is there.
-describe("radius: a vice of two slopes", function()
-  it("keeps a ball where it is, or nearly", function()
-    local world = physics.newWorld({ gravity = 0 })
-    world:add("jaws", tile(0, 300, 300, 30, { slope = "left" }))
-    local jaw = { x = 0, y = 200, width = 300, height = 37, slope = "topright", vy = 60 }
-    jaw.kinematic = true
-    world:add("jaws", jaw)
-    local one = world:add("balls", { x = 140, y = 270, radius = 8 })
-    run(world, 3)
-    assert.is_true(one.x > 0 and one.x < 300, one.x)
-    assert.is_true(one.y > 250 and one.y < 350, one.y)
-  end)
+it("radius: a vice of two slopes keeps a ball where it is, or nearly", function()
+  local world = physics.newWorld({ gravity = 0 })
+  world:add("jaws", tile(0, 300, 300, 30, { slope = "left" }))
+  local jaw = { x = 0, y = 200, width = 300, height = 37, slope = "topright", vy = 60 }
+  jaw.kinematic = true
+  world:add("jaws", jaw)
+  local one = world:add("balls", { x = 140, y = 270, radius = 8 })
+  run(world, 3)
+  assert.is_true(one.x > 0 and one.x < 300, one.x)
+  assert.is_true(one.y > 250 and one.y < 350, one.y)
 end)

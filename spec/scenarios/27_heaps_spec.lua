@@ -12,7 +12,7 @@ local long = effort.isFirst and it or pending
 local COUNT = effort.isWhole and 60 or 24 -- balls of a heap
 
 local function wall(world, x, y, width, height)
-  return world:add("walls", { x = x, y = y, width = width, height = height, static = true })
+  return world:add("walls", small.tile(x, y, width, height))
 end
 
 -- A shaft 160 px wide, or so wide, with a floor at y 400. Returns the world and its floor.
@@ -31,10 +31,8 @@ local function fill(world, kind, seed)
   local random = newRandom(seed)
   for i = 0, COUNT - 1 do
     local radius = random:between(7, 10)
-    local object = {
-      restitution = seed % 2 == 0 and 0.3 or 0,
-      friction = (seed % 3 == 0 or kind == "mixed") and 0.4 or nil,
-    }
+    local object = { restitution = seed % 2 == 0 and 0.3 or 0 }
+    object.friction = (seed % 3 == 0 or kind == "mixed") and 0.4 or nil
     if kind == "poured" then
       object.x, object.y = random:between(1, 138), 370 - 12 * i
     else
@@ -95,12 +93,9 @@ local function pour(world, seed, rate, each)
   for step = 1, 10 * rate do
     if step % (rate / 10) == 0 then
       local n = #balls
-      balls[n + 1] = world:add("balls", {
-        x = 170 + (n % 3 - 1) * 30 + random:between(0, 6),
-        y = 20,
-        radius = random:between(6, 10),
-        restitution = seed % 2 == 0 and 0.4 or nil,
-      })
+      local x, radius = 170 + (n % 3 - 1) * 30 + random:between(0, 6), random:between(6, 10)
+      local ball = { x = x, y = 20, radius = radius, restitution = seed % 2 == 0 and 0.4 or nil }
+      balls[n + 1] = world:add("balls", ball)
     end
     world:update(1 / rate)
     each(step, balls)
@@ -144,27 +139,21 @@ local function isBorne(balls, one)
 end
 
 -- They were pushed off the floor by hundredths of a px, and came onto it anew, in each step.
-describe("touching and onBegin: balls that lie side by side", function()
-  small.rows(
-    "touch their floor, and begin no contact anew: {1} of them",
-    { 10, 20 },
-    function(count)
-      local world, begins = physics.newWorld({ gravity = 600 }), 0
-      world:setBounds(0, 0, 400, 300)
-      for n = 1, count do
-        world:add("balls", { x = 3 + 17 * n, y = 20, radius = 5 + n % 4 * 2 })
-      end
-      run(world, 5)
-      world.onBegin = function()
-        begins = begins + 1
-      end
-      run(world, 1)
-      assert.is_true(begins <= 2)
-      for _, ball in ipairs(world.objects.balls) do
-        assert.equal(300 - ball.y - ball.height < 0.05, ball.touching.bottom ~= false)
-      end
-    end
-  )
+small.rows("touching and onBegin: {1} balls side by side touch once", { 10, 20 }, function(count)
+  local world, begins = physics.newWorld({ gravity = 600 }), 0
+  world:setBounds(0, 0, 400, 300)
+  for n = 1, count do
+    world:add("balls", { x = 3 + 17 * n, y = 20, radius = 5 + n % 4 * 2 })
+  end
+  run(world, 5)
+  world.onBegin = function()
+    begins = begins + 1
+  end
+  run(world, 1)
+  assert.is_true(begins <= 2)
+  for _, ball in ipairs(world.objects.balls) do
+    assert.equal(300 - ball.y - ball.height < 0.05, ball.touching.bottom ~= false)
+  end
 end)
 
 describe("radius: a heap of balls", function()
@@ -214,16 +203,14 @@ describe("radius: a heap of balls", function()
   )
 
   -- Balls, or each third one a box, in ten columns. The last one lands within 0.6 s.
-  for _, hasBoxes in ipairs({ false, true }) do
-    local name = "of 100 rests two seconds after it has fallen, without overlaps"
-    it(name .. (hasBoxes and ", with boxes in it" or ""), function()
+  for what, hasBoxes in pairs({ ["100"] = false, ["67, and 33 boxes,"] = true }) do
+    long("of " .. what .. " rests two seconds after it has fallen, without overlaps", function()
       local world, random = newShaft({}, 240), newRandom(3)
       for i = 0, 99 do
         local radius = random:between(6, 10)
         local object = { x = 4 + i % 10 * 23, y = 370 - (i - i % 10) / 10 * 26 }
-        object.width, object.height = 2 * radius, 2 * radius
         if hasBoxes and i % 3 == 0 then
-          object.friction = 0.3
+          object.width, object.height, object.friction = 2 * radius, 2 * radius, 0.3
         else
           object.radius = radius
         end
@@ -329,8 +316,8 @@ describe("radius: a heap of balls", function()
 
   it("comes down where balls are taken out of it", function()
     local world = newSettled()
-    local top = topOf(world.objects.balls)
     local list = world.objects.balls
+    local top = topOf(list)
     for n = #list, 1, -1 do
       if list[n].y > 350 then
         table.remove(list, n)
@@ -395,10 +382,8 @@ describe("radius: a heap of balls", function()
 
   long("lies between two slopes, and in none of them", function()
     local world, random = newShaft({}, 400), newRandom(1)
-    local left = { x = 0, y = 300, width = 150, height = 100, slope = "left", static = true }
-    local right = { x = 250, y = 300, width = 150, height = 100, slope = "right", static = true }
-    world:add("slopes", left)
-    world:add("slopes", right)
+    world:add("slopes", small.tile(0, 300, 150, 100, { slope = "left" }))
+    world:add("slopes", small.tile(250, 300, 150, 100, { slope = "right" }))
     local count = effort.isWhole and 40 or 16
     for i = 0, count - 1 do
       local x, y = 20 + i % 10 * 36, 260 - (i - i % 10) / 10 * 30

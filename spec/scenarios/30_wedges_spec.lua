@@ -36,7 +36,7 @@ describe("slope: a wedge", function()
     --  __________________
     --  [hero]->  \      |     seen from above: the slope turns it up, the wall stops it
     it(
-      ("stops a hero between a wall and a slanted wall, and lets it out: %d Hz"):format(rate),
+      ("stops a hero between a wall and a slanted one, and lets it out: %d Hz"):format(rate),
       function()
         local world = physics.newWorld({ gravity = 0 })
         world:add("walls", tile(0, 0, 300, 16))

@@ -7,7 +7,7 @@
 --- round and round ("walker"), or there is none ("point").
 
 local newRandom = require("spec.support.random").new
-local set = require("spec.support.small").set
+local small = require("spec.support.small")
 local physics = require("physics")
 
 local crowds = {}
@@ -25,13 +25,9 @@ crowds.FASTEST = 90 -- px/s, of an enemy
 local function addPillars(self)
   for row = -3, 2 do
     for column = -3, 2 do
-      self.objects[#self.objects + 1] = self.world:add("pillars", {
-        x = SIDE * (column + 0.5) - PILLAR / 2,
-        y = SIDE * (row + 0.5) - PILLAR / 2,
-        width = PILLAR,
-        height = PILLAR,
-        static = true,
-      })
+      local x, y = SIDE * (column + 0.5) - PILLAR / 2, SIDE * (row + 0.5) - PILLAR / 2
+      local pillar = self.world:add("pillars", small.tile(x, y, PILLAR, PILLAR))
+      self.objects[#self.objects + 1] = pillar
     end
   end
 end
@@ -87,14 +83,8 @@ local function addPlayer(self, goal)
   if goal == "point" then
     return
   end
-  self.player = self.world:add("players", {
-    x = -8,
-    y = -12,
-    width = 16,
-    height = 24,
-    mass = 10,
-    pushable = goal == "heavy",
-  })
+  local fields = { mass = 10, pushable = goal == "heavy" }
+  self.player = self.world:add("players", small.put(-8, -12, 16, 24, fields))
   self.objects[#self.objects + 1] = self.player
 end
 
@@ -140,7 +130,7 @@ end
 ---`startsInside`: many of them start inside others, or in pillars
 ---@return table crowd `world`, `player`, `enemies`, `objects` (all of them)
 function crowds.new(options)
-  local settings = set({ gravity = 0 }, options.settings)
+  local settings = small.set({ gravity = 0 }, options.settings)
   local self = setmetatable({ world = physics.newWorld(settings), time = 0 }, Crowd)
   self.goal, self.drive = options.goal, options.drive
   self.objects, self.enemies, self.speeds = {}, {}, {}

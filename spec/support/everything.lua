@@ -34,16 +34,16 @@ local LEVEL = {
   { "pressed", 405, 310, 14, 14 },
 }
 
-local function makeLevel(put)
+local function makeLevel(world)
   for i = 0, 29 do
     local tile = { x = 16 * i, y = ROOM, width = 16, height = 16, static = true }
     tile.friction = i % 3 == 0 and 0.5 or nil
-    put("tiles", tile)
+    world:add("tiles", tile)
   end
   for _, row in ipairs(LEVEL) do
     local object = small.put(row[2], row[3], row[4], row[5], row[6])
     object.static = not object.kinematic and row[1] ~= "pressed" or nil
-    put(row[1], object)
+    world:add(row[1], object)
   end
 end
 
@@ -68,16 +68,12 @@ local FIELDS = {
   { "sensor", 30, 9, true },
 }
 
-local function makeBoxes(put)
+local function makeBoxes(world)
   local random = newRandom(7)
   for i = 0, 29 do
-    local box = {
-      x = 20 + 44 * (i % 10) + random:between(0, 8),
-      y = 60 + 40 * (i - i % 10) / 10 + random:between(0, 8),
-      width = random:between(8, 24),
-      height = random:between(8, 24),
-      vx = random:between(-80, 80),
-    }
+    local x, y = 20 + 44 * (i % 10) + random:between(0, 8), 60 + 40 * (i - i % 10) / 10
+    local box = small.put(x, y + random:between(0, 8), random:between(8, 24), random:between(8, 24))
+    box.vx = random:between(-80, 80)
     for _, row in ipairs(FIELDS) do
       local value = row[4]
       if i % row[2] == row[3] and (row[1] ~= "pushable" or i < 20) then
@@ -89,7 +85,7 @@ local function makeBoxes(put)
         box[row[1]] = value
       end
     end
-    put(i % 2 == 0 and "boxes" or "crates", box)
+    world:add(i % 2 == 0 and "boxes" or "crates", box)
   end
 end
 
@@ -135,11 +131,8 @@ end
 
 --- Puts the scene into a world.
 function everything.fill(world)
-  local function put(group, object)
-    world:add(group, object)
-  end
-  makeLevel(put)
-  makeBoxes(put)
+  makeLevel(world)
+  makeBoxes(world)
   world.objects.player =
     { x = 60, y = 300, width = 14, height = 22, friction = 0.3, mass = 1, nudge = 4 }
   return world

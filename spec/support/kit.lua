@@ -1,6 +1,7 @@
 --- Scenes for the files of examples/kit: a floor at y 400, gravity 1600, and keys as text.
 
 local physics = require("physics")
+local small = require("spec.support.small")
 
 local kit = {}
 
@@ -11,11 +12,8 @@ function kit.world(objects, settings)
   local world = physics.newWorld({ gravity = 1600, ownFields = settings })
   world:add("tiles", { x = -1000, y = 400, width = 3000, height = 40, static = true })
   for _, row in ipairs(objects or {}) do
-    local object = { x = row[2], y = row[3], width = row[4], height = row[5] }
-    for name, value in pairs(row[6] or { static = true }) do
-      object[name] = value
-    end
-    world:add(row[1], object)
+    local fields = row[6] or { static = true }
+    world:add(row[1], small.put(row[2], row[3], row[4], row[5], fields))
   end
   return world
 end

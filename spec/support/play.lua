@@ -82,24 +82,6 @@ local CHECKS = {
   end,
 }
 
-local COMPARE = {
-  ["~="] = function(a, b)
-    return a ~= b
-  end,
-  ["<"] = function(a, b)
-    return a < b
-  end,
-  ["<="] = function(a, b)
-    return a <= b
-  end,
-  [">"] = function(a, b)
-    return a > b
-  end,
-  [">="] = function(a, b)
-    return a >= b
-  end,
-}
-
 -- The function of a line `left OPERATOR right`, or nil.
 local function comparison(line, env)
   local left, sign, right = line:match("^(%b()[^~=<>]*) ([~=<>]=?) (.+)$")
@@ -109,16 +91,18 @@ local function comparison(line, env)
   if not left or sign == "=" then
     return nil
   end
-  local values = compile(("return %s, %s"):format(left, right), env)
+  local isNear = sign == "~" or sign == "=="
+  local third = isNear and "" or (", (%s) %s (%s)"):format(left, sign, right)
+  local values = compile(("return %s, %s"):format(left, right) .. third, env)
   return function(run)
-    local a, b, tolerance = values()
+    local a, b, more = values()
     if sign == "~" then
-      run:near(left, a, b, tolerance)
+      run:near(left, a, b, more)
     elseif sign == "==" then
       run:same(left, a, b)
     else
       local text = "%s is %s, not %s %s"
-      run:check(COMPARE[sign](a, b), text, left, tostring(a), sign, tostring(b))
+      run:check(more, text, left, tostring(a), sign, tostring(b))
     end
   end
 end

@@ -17,9 +17,8 @@
 --- scene, whatever the variant shifted and turned. `body.raw` is the object itself.
 
 local physics = require("physics")
-local fail = require("busted").fail
 local newRandom = require("spec.support.random").new
-local set = require("spec.support.small").set
+local small = require("spec.support.small")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
 
@@ -103,7 +102,7 @@ end
 
 --- The object that a scene describes, shifted and turned.
 local function place(run, description)
-  local object = set({}, description)
+  local object = small.set({}, description)
   local x, y, width, height = turn.box(run.turn, object.x, object.y, object.width, object.height)
   object.x, object.y, object.width, object.height = x + run.shift, y + run.shift, width, height
   turnPair(run.turn, object, "vx", "vy")
@@ -154,18 +153,12 @@ end
 
 --- The entries of a scene in the variant's order of insertion.
 local function inOrder(run, description)
-  local entries = {}
-  for i = 1, #description do
-    entries[i] = description[i]
+  local entries, count = {}, #description
+  for i, entry in ipairs(description) do
+    entries[run.order == "backward" and count + 1 - i or i] = entry
   end
   if run.order == "shuffled" then
     return newRandom(7):shuffled(entries)
-  end
-  if run.order == "backward" then
-    for i = 1, math.floor(#entries / 2) do
-      local j = #entries + 1 - i
-      entries[i], entries[j] = entries[j], entries[i]
-    end
   end
   return entries
 end
@@ -274,27 +267,30 @@ function Run:play(seconds, before)
   end
 end
 
+-- Counts calls of callbacks from now on.
+local function counting(owner, names)
+  local log = {}
+  for name, key in pairs(names) do
+    log[key] = 0
+    owner[name] = function()
+      log[key] = log[key] + 1
+    end
+  end
+  return log
+end
+
 --- Counts the events of an object from now on.
 ---@return table log begins, stays, ends, crushes: numbers; sides: begins by side; speed: the last
 function Run:listen(view)
-  local log = { begins = 0, stays = 0, ends = 0, crushes = 0, sides = {} }
+  local names = { onStay = "stays", onEnd = "ends", onCrush = "crushes" }
+  local log = small.set(counting(view.raw, names), { begins = 0, sides = {} })
   for _, side in ipairs(SIDES) do
     log.sides[side] = 0
   end
-  local raw = view.raw
-  function raw.onBegin(_, _, side, speed)
+  function view.raw.onBegin(_, _, side, speed)
     log.begins, log.speed = log.begins + 1, speed
     side = turn.side(turn.back(self.turn), side)
     log.sides[side] = log.sides[side] + 1
-  end
-  function raw.onStay()
-    log.stays = log.stays + 1
-  end
-  function raw.onEnd()
-    log.ends = log.ends + 1
-  end
-  function raw.onCrush()
-    log.crushes = log.crushes + 1
   end
   return log
 end
@@ -302,66 +298,53 @@ end
 --- Counts the events of the world from now on: each pair once.
 ---@return table log begins, ends: numbers
 function Run:listenToWorld()
-  local log = { begins = 0, ends = 0 }
-  self.world.onBegin = function()
-    log.begins = log.begins + 1
-  end
-  self.world.onEnd = function()
-    log.ends = log.ends + 1
-  end
-  return log
+  return counting(self.world, { onBegin = "begins", onEnd = "ends" })
 end
 
 -- Checking ---------------------------------------------------------------------------------------
 
-local function stop(run, message, level)
-  error(("after %.6g s: %s"):format(run.time or 0, message), level + 1)
+-- Fails unless a condition holds, blaming the caller of the function that calls this.
+local function ensure(run, condition, message, ...)
+  if not condition then
+    error(("after %.6g s: %s"):format(run.time or 0, message:format(...)), 3)
+  end
 end
 
 --- Fails unless a condition holds.
 function Run:check(condition, message, ...)
-  if not condition then
-    stop(self, message:format(...), 2)
-  end
+  ensure(self, condition, message, ...)
 end
 
 --- Fails unless a number is the expected one, at most `tolerance` (1e-6) off.
 function Run:near(what, actual, expected, tolerance)
-  if math.abs(actual - expected) <= (tolerance or TOLERANCE) then
-    return
-  end -- false for NaN
+  local isNear = math.abs(actual - expected) <= (tolerance or TOLERANCE) -- false for NaN
   local message = "%s should be %.17g, is %.17g (%.3g off)"
-  stop(self, message:format(what, expected, actual, actual - expected), 2)
+  ensure(self, isNear, message, what, expected, actual, actual - expected)
 end
 
 --- Fails unless two values are the same, numbers to the bit.
 function Run:same(what, actual, expected)
-  if actual == expected then
-    return
+  local message = type(actual) == "number" and "%s should be %s, is %.17g"
+    or "%s should be %s, is %s"
+  if actual ~= expected then
+    local is = type(actual) == "number" and actual or tostring(actual)
+    ensure(self, false, message, what, tostring(expected), is)
   end
-  local format = type(actual) == "number" and "%.17g" or "%s"
-  local is = format:format(type(actual) == "number" and actual or tostring(actual))
-  stop(self, ("%s should be %s, is %s"):format(what, tostring(expected), is), 2)
 end
 
 --- Fails unless a view is at a place, at most `tolerance` (1e-6 px) off.
 function Run:at(view, x, y, tolerance)
-  local reach = tolerance or TOLERANCE
-  if math.abs(view.x - x) <= reach and math.abs(view.y - y) <= reach then
-    return
-  end
-  local message = "%s should be at (%.9g, %.9g), is at (%.9g, %.9g), v (%.6g, %.6g)"
-  local name = view.name or "object"
-  stop(self, message:format(name, x, y, view.x, view.y, view.vx, view.vy), 2)
+  local reach, isX, isY = tolerance or TOLERANCE, view.x, view.y
+  local isThere = math.abs(isX - x) <= reach and math.abs(isY - y) <= reach
+  local message = "%s should be at (%.9g, %.9g), is at (%.9g, %.9g)"
+  ensure(self, isThere, message, view.name or "object", x, y, isX, isY)
 end
 
 --- Fails unless a view rests: velocity exactly 0.
 function Run:still(view)
-  if view.vx == 0 and view.vy == 0 then
-    return
-  end
-  local name = view.name or "object"
-  stop(self, ("%s should be still, moves at (%.9g, %.9g)"):format(name, view.vx, view.vy), 2)
+  local vx, vy = view.vx, view.vy
+  local message = "%s should be still, moves at (%.9g, %.9g)"
+  ensure(self, vx == 0 and vy == 0, message, view.name or "object", vx, vy)
 end
 
 --- Fails unless `view` touches something on the sides listed, and on no other.
@@ -372,10 +355,8 @@ function Run:touches(view, ...)
   end
   for _, side in ipairs(SIDES) do
     local is = touching[side] ~= false
-    if is ~= (expected[side] == true) then
-      is = is and "touches" or "should touch"
-      stop(self, ("%s %s something on the %s"):format(view.name or "object", is, side), 2)
-    end
+    local message = is and "%s touches something on the %s" or "%s should touch something on the %s"
+    ensure(self, is == (expected[side] == true), message, view.name or "object", side)
   end
 end
 
@@ -385,17 +366,10 @@ function Run:flush(a, b, side)
   local pressed = turn.side(self.turn, side)
   local axis = (pressed == "left" or pressed == "right") and "x" or "y"
   local size = axis == "x" and "width" or "height"
-  local expected
-  if pressed == "bottom" or pressed == "right" then
-    expected = other[axis] - me[size]
-  else
-    expected = other[axis] + other[size]
-  end
-  if me[axis] == expected then
-    return
-  end
+  local isBefore = pressed == "bottom" or pressed == "right"
+  local expected = other[axis] + (isBefore and -me[size] or other[size])
   local message = "%s should be flush with its %s: raw %s should be %.17g, is %.17g"
-  stop(self, message:format(a.name or "object", side, axis, expected, me[axis]), 2)
+  ensure(self, me[axis] == expected, message, a.name or "object", side, axis, expected, me[axis])
 end
 
 --- What stands under a view, or nil.
@@ -412,7 +386,7 @@ end
 
 --- A run in one variant.
 function scene.run(variant)
-  return set(setmetatable({}, Run), variant)
+  return small.set(setmetatable({}, Run), variant)
 end
 
 --- Plays a row in every variant of a selection; the failure names the variants that failed.
@@ -429,7 +403,7 @@ function scene.each(levels, play)
   end
   if failures > 0 then
     local head = ("%d of %d variants fail:\n"):format(failures, #selection)
-    fail(head .. table.concat(messages, "\n", 1, math.min(failures, 3)), 2)
+    error(head .. table.concat(messages, "\n", 1, math.min(failures, 3)), 2)
   end
 end
 
@@ -438,9 +412,7 @@ end
 ---@param levels table? see variants.select
 ---@param play fun(run: table)
 function scene.it(title, levels, play)
-  -- busted gives its words to spec files, not to what they require
-  local row = rawget(_G, "it") or require("busted").it
-  row(title, function()
+  small.rows(title, { {} }, function()
     scene.each(levels, play)
   end)
 end
@@ -452,7 +424,7 @@ end
 ---@return fun(fields?: table): table
 function scene.thing(group, defaults)
   return function(fields)
-    return { group, set(set({}, defaults), fields) }
+    return { group, small.set(small.set({}, defaults), fields) }
   end
 end
 
@@ -461,22 +433,16 @@ end
 ---@param defaults table
 ---@return function thing(name, x, y, width, height, fields)
 function scene.maker(group, defaults)
-  local thing = scene.thing(group, defaults)
   return function(name, x, y, width, height, fields)
-    local entry = thing(fields)
-    local object = entry[2]
-    object.name, object.x, object.y, object.width, object.height = name, x, y, width, height
-    return entry
+    local object = small.set(small.set({}, defaults), fields)
+    return { group, small.set(object, small.put(x, y, width, height, { name = name })) }
   end
 end
 
 --- Adds a row of static tiles to a list of entries: `count` boxes of one size, `dx, dy` apart.
 function scene.tiles(list, count, x, y, width, height, dx, dy)
   for i = 0, count - 1 do
-    list[#list + 1] = {
-      "tiles",
-      { x = x + dx * i, y = y + dy * i, width = width, height = height, static = true },
-    }
+    list[#list + 1] = { "tiles", small.tile(x + dx * i, y + dy * i, width, height) }
   end
   return list
 end

@@ -91,4 +91,17 @@ function small.rows(title, rows, f)
   end
 end
 
+--- Returns rows for `small.rows`: each of a list with each of another one; rows lose a level.
+function small.cross(list, other)
+  local rows = {}
+  for _, a in ipairs(list) do
+    for _, b in ipairs(other) do
+      local row = type(a) == "table" and { small.unpack(a, 1, 10) } or { a }
+      row[#row + 1] = b
+      rows[#rows + 1] = row
+    end
+  end
+  return rows
+end
+
 return small
