@@ -19,11 +19,27 @@ local THIRTY = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate =
 
 local floors = scene.maker("floors", { static = true })
 
+-- Rows of numbers in a text, "0 -16 0.5; 0 -32 - 60": no number is nil, the fifth is a size.
+local function numbersIn(text)
+  local rows = {}
+  for part in text:gmatch("[^;]+") do
+    local row, n = {}, 0
+    for word in part:gmatch("%S+") do
+      n = n + 1
+      row[n] = tonumber(word)
+    end
+    row.width, row.height = row[6], row[7]
+    rows[#rows + 1] = row
+  end
+  return rows
+end
+
 -- A scene: the floor with its friction, and boxes named a, b, c … on it: x, y, friction, vx, mass,
--- and fields of their own.
-local function on(friction, ...)
+-- and fields of their own; or as a text, with width and height.
+local function on(friction, first, ...)
   local list = { floors("floor", -9000, 0, 18000, 16, { friction = friction }) }
-  for n, row in ipairs({ ... }) do
+  local rows = type(first) == "string" and numbersIn(first) or { first, ... }
+  for n, row in ipairs(rows) do
     local object = small.box(row[1], row[2], row)
     object.friction, object.vx, object.mass = row[3], row[4] or 0, row[5] or 1
     object.name = ("abcdefghijk"):sub(n, n)
@@ -50,12 +66,7 @@ describe("friction: as by hand,", function()
   --   300 ->+--+      Masses 1, 1 and 5: the highest one slips, the two below stop together, by
   --         +--+      5600 - 4000 * 0.5^0.5 for both.
   --         +--+
-  local SLABS = on(
-    1,
-    { 0, -10, 1, 300, 1, width = 30, height = 10 },
-    { 0, -20, 1, 300, 1, width = 30, height = 10 },
-    { 0, -35, 0.5, 300, 5, width = 30, height = 15 }
-  )
+  local SLABS = on(1, "0 -10 1 300 1 30 10; 0 -20 1 300 1 30 10; 0 -35 0.5 300 5 30 15")
   play.row("a stack under a heavy box that slides off stops as a whole", FINE, SLABS, {
     { 0.5, "b.x ~ a.x, 1e-9" },
     "a.x ~ 300 ^ 2 / (5600 - 4000 * sqrt(0.5)), 10 / run.rate; a.vx == 0",
@@ -105,13 +116,7 @@ describe("friction: as by hand,", function()
   local brake = (16 * floor + top) / 15
   local t = 120 / (brake + top) -- s, until all go at one speed
   local FAR = (120 + top * t) * t / 2 + (top * t) ^ 2 / (2 * floor)
-  local TOWER = on(
-    0.3,
-    { 0, -16, 0.5, 120, 5 },
-    { 0, -32, 0.3, 120, 5 },
-    { 0, -48, 0.9, 120, 5 },
-    { 0, -64, 0.9 }
-  )
+  local TOWER = on(0.3, "0 -16 0.5 120 5; 0 -32 0.3 120 5; 0 -48 0.9 120 5; 0 -64 0.9")
   play.row("a stack slides from under its highest box", LEVELS, TOWER, {
     1,
     "a.x ~ far, 2 / run.rate; b.x ~ far, 2 / run.rate; c.x ~ far, 2 / run.rate",
@@ -119,12 +124,8 @@ describe("friction: as by hand,", function()
   }, { "far", { FAR } })
 
   play.row("a stack of masses {m1}, {m2}, {m3} slows down as one box does", LEVELS, function(v)
-    return on(
-      nil,
-      { 0, -16, 0.5, 200, v.m1 },
-      { 0, -32, 0.5, 200, v.m2 },
-      { 0, -48, 0.5, 200, v.m3 }
-    )
+    local boxes = "0 -16 0.5 200 %g; 0 -32 0.5 200 %g; 0 -48 0.5 200 %g"
+    return on(nil, boxes:format(v.m1, v.m2, v.m3))
   end, {
     { 1 / 6, "b.x ~ a.x, 1e-9", "c.x ~ a.x, 1e-9" },
     "a.vx ~ 200 - 400 / 6; b.vx ~ 200 - 400 / 6; c.vx ~ 200 - 400 / 6",
@@ -168,11 +169,8 @@ describe("friction: what is hit,", function()
 
   --   +--+ 300 ->     +--+     450 px/s² off the one on the floor, as long as it lies there: the
   --   +--+ 2 px off   +--+     impact of its landing is over
-  local LANDS = on(
-    1,
-    { 0, -16, 0, 300, 1, gravity = 0, gravityX = 0 },
-    { 18, -16, 0.25, 0, 1, vy = 500 }
-  )
+  local aloft = { 0, -16, 0, 300, 1, gravity = 0, gravityX = 0 }
+  local LANDS = on(1, aloft, { 18, -16, 0.25, 0, 1, vy = 500 })
   LANDS.gravity = 900
   row("and comes down hard as the step begins, is braked by its weight alone", FINE, LANDS, {
     0.1,
@@ -305,21 +303,15 @@ describe("friction: what is leaned on or pushed,", function()
     "b.x ~ x + 120; d.x ~ x2 + 120; j.x ~ x3 + 120; a.vx == 60",
   })
 
-  local ALOFT = on(
-    nil,
-    { 0, -56, nil, 60, 1, gravity = 0, gravityX = 0 },
-    { 16, -56, 0.5, 0, 1, gravity = 0, gravityX = 0 }
-  )
+  local one, other = { 0, -56, nil, 60 }, { 16, -56, 0.5 }
+  one.gravity, one.gravityX, other.gravity, other.gravityX = 0, 0, 0, 0
+  local ALOFT = on(nil, one, other)
   play.row("stands on nothing", LEVELS, ALOFT, { 1, "a.vx ~ 30, 1e-9; b.vx ~ 30, 1e-9" })
 
   play.row("under a box of mass {mass}: goes no faster than what pushes", LEVELS, function(v)
-    local list = on(
-      nil,
-      { -20, -24, nil, 0, 1000, width = 20, height = 24 },
-      { 0, -20, 1, 0, 1, width = 20, height = 20 },
-      { 0, -40, 1, 0, v.mass, width = 20, height = 20 },
-      { 20, -20, 1, 0, 1, width = 20, height = 20 }
-    )
+    local boxes =
+      "-20 -24 - 0 1000 20 24; 0 -20 1 0 1 20 20; 0 -40 1 0 %g 20 20; 20 -20 1 0 1 20 20"
+    local list = on(nil, boxes:format(v.mass))
     list.gravity = 1600
     return list
   end, {
@@ -336,14 +328,7 @@ describe("friction: what is leaned on or pushed,", function()
 
   -- Four on each other and their pusher, in small steps.
   local FAST = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate = { 960 } }
-  local TOWER = on(
-    nil,
-    { -16, -16, nil, 0, 1e6 },
-    { 0, -16, 0.7 },
-    { 0, -32, 0.7 },
-    { 0, -48, 0.7 },
-    { 0, -64, 0.7 }
-  )
+  local TOWER = on(nil, "-16 -16 - 0 1e6; 0 -16 0.7; 0 -32 0.7; 0 -48 0.7; 0 -64 0.7")
   play.row("is a tower, at 40 px/s: slips by 10 / 7 px", FAST, TOWER, {
     { 0.5, keep = "a.vx = 40" },
     "b.x - c.x ~ 10 / 7, 2e-3; d.x ~ c.x, 2e-3; e.x ~ c.x, 2e-3; e.vx == b.vx",

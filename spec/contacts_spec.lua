@@ -71,28 +71,26 @@ end)
 --    +-+ ^
 -- `touching.top` was false in each update of each jump.
 describe("touching: a side that was hit and left again", function()
-  it("shows for one update", function()
-    for _, rate in ipairs({ 60, 30, 144, 20 }) do
-      for _, rest in ipairs({ true, false }) do
-        local world = physics.newWorld({ gravity = 800, rest = rest })
-        world:add("tiles", { x = 0, y = 100, width = 100, height = 16, static = true })
-        local ceiling = { x = 0, y = 40, width = 100, height = 16, static = true }
-        world:add("tiles", ceiling)
-        local man = world:add("men", { x = 10, y = 80, width = 10, height = 20 })
-        local hits, shown, before = 0, 0, 0
-        function man.onBegin(_, _, side)
-          hits = hits + (side == "top" and 1 or 0)
-        end
-        for _ = 1, 3 do
-          world:update(1 / rate)
-          man.vy = -400
-          update(world, rate, rate, function()
-            assert.equal(hits > before and ceiling or false, man.touching.top)
-            shown, before = shown + (man.touching.top and 1 or 0), hits
-          end)
-        end
-        assert.same({ 3, 3 }, { hits, shown })
+  small.rows("shows for one update: {1}", { 60, 30, 144, 20 }, function(rate)
+    for _, rest in ipairs({ true, false }) do
+      local world = physics.newWorld({ gravity = 800, rest = rest })
+      world:add("tiles", { x = 0, y = 100, width = 100, height = 16, static = true })
+      local ceiling = { x = 0, y = 40, width = 100, height = 16, static = true }
+      world:add("tiles", ceiling)
+      local man = world:add("men", { x = 10, y = 80, width = 10, height = 20 })
+      local hits, shown, before = 0, 0, 0
+      function man.onBegin(_, _, side)
+        hits = hits + (side == "top" and 1 or 0)
       end
+      for _ = 1, 3 do
+        world:update(1 / rate)
+        man.vy = -400
+        update(world, rate, rate, function()
+          assert.equal(hits > before and ceiling or false, man.touching.top)
+          shown, before = shown + (man.touching.top and 1 or 0), hits
+        end)
+      end
+      assert.same({ 3, 3 }, { hits, shown })
     end
   end)
 

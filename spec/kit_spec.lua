@@ -145,16 +145,14 @@ describe("examples/kit/enemy.lua: an enemy", function()
     player = player and world:add("players", player)
     local seen = { least = 1000, most = 0, turns = 0, sees = false }
     local direction = body.enemy.direction
-    return world,
-      body,
-      seen,
-      function()
-        seen.sees = enemy.update(world, body, DT, player)
-        seen.least, seen.most = math.min(seen.least, body.x), math.max(seen.most, body.x)
-        if body.enemy.direction ~= direction then
-          direction, seen.turns = body.enemy.direction, seen.turns + 1
-        end
+    local function each()
+      seen.sees = enemy.update(world, body, DT, player)
+      seen.least, seen.most = math.min(seen.least, body.x), math.max(seen.most, body.x)
+      if body.enemy.direction ~= direction then
+        direction, seen.turns = body.enemy.direction, seen.turns + 1
       end
+    end
+    return world, body, seen, each
   end
 
   it("walks to and fro on a ledge, and never falls", function()
@@ -201,19 +199,14 @@ describe("examples/kit/enemy.lua: an enemy", function()
   end)
 
   -- what, settings, where the player is, another wall, is it seen
+  local GAS = { "gas", 160, 200, 10, 100, { static = true, sensor = true } }
   local SIGHTS = {
     { "in front", {}, { 120, 270 }, nil, true },
     { "behind it", {}, { 280, 270 }, nil, false },
     { "behind it, if it looks there, too", { behind = true }, { 280, 270 }, nil, true },
     { "too far away", { sight = 60 }, { 120, 270 }, nil, false },
     { "behind a wall", {}, { 120, 270 }, { "walls", 160, 200, 10, 100 }, false },
-    {
-      "behind a sensor",
-      {},
-      { 120, 270 },
-      { "gas", 160, 200, 10, 100, { static = true, sensor = true } },
-      true,
-    },
+    { "behind a sensor", {}, { 120, 270 }, GAS, true },
     { "below the floor", {}, { 150, 340 }, nil, false },
   }
   small.rows("looks at a player {1}", SIGHTS, function(_, settings, at, wall, isSeen)
@@ -292,12 +285,11 @@ describe("examples/kit/checkpoint.lua: a player", function()
     world:add("players", player)
     player.checkpoint = checkpoint.new(player)
     local back = 0
-    return world,
-      player,
-      function()
-        back = back + (checkpoint.update(world, player, DT) and 1 or 0)
-        return back
-      end
+    local function each()
+      back = back + (checkpoint.update(world, player, DT) and 1 or 0)
+      return back
+    end
+    return world, player, each
   end
 
   it("dies once, and comes back at the checkpoint with its fields", function()
@@ -311,10 +303,8 @@ describe("examples/kit/checkpoint.lua: a player", function()
     assert.is_false(player.active)
     kit.play(world, 9, each)
     assert.equal(1, each())
-    assert.same(
-      { 200, 40, 500, 1 },
-      { player.x, player.height, player.maxFallSpeed, player.checkpoint.deaths }
-    )
+    assert.same({ 200, 40, 500 }, { player.x, player.height, player.maxFallSpeed })
+    assert.equal(1, player.checkpoint.deaths)
     assert.is_nil(player.gravity or player.mask)
     kit.play(world, 60, each)
     assert.equal(360, player.y)

@@ -23,10 +23,9 @@ describe("surfaceSpeed: a belt", function()
   --- It is along x, so a scene with one is not turned by a quarter.
   local ALONG = { rate = variants.RATES, turn = { 0, 2 } }
   local KINEMATIC = { static = false, kinematic = true }
-  local belt = scene.thing(
-    "platforms",
-    { name = "platform", x = 0, y = 400, width = 400, height = 8, static = true, surfaceSpeed = 60 }
-  )
+  local BELT = { name = "platform", x = 0, y = 400, width = 400, height = 8, static = true }
+  BELT.surfaceSpeed = 60
+  local belt = scene.thing("platforms", BELT)
 
   --- A row with belts: their speeds point the other way where the scene is turned round.
   local function belted(title, entries, given, rows)

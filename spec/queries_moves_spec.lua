@@ -102,21 +102,19 @@ describe("world:move", function()
     end
   end)
 
-  it("never snags on tiles", function()
-    for _, o in ipairs(SHIFTS) do
-      local world = still()
-      local list = newRandom(3):shuffled({ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 })
-      for _, i in ipairs(list) do
-        world:add("tiles", box(16.3 * i + o, 100 + o, 16.3, 16, { static = true, name = "t" .. i }))
-      end
-      local me = world:add("me", box(20 + o, 76 + o, 14, 24))
-      for step = 1, 100 do
-        local x, y, hits, count = world:move(me, 20 + step + o, me.y + 5)
-        assert.are.near(20 + step + o, x, 1e-9)
-        assert.are.equal(100 + o - 24, y)
-        for i = 1, count do
-          assert.are.equal("bottom", hits[i].side)
-        end
+  small.rows("never snags on tiles: {1}", SHIFTS, function(o)
+    local world = still()
+    local list = newRandom(3):shuffled({ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 })
+    for _, i in ipairs(list) do
+      world:add("tiles", box(16.3 * i + o, 100 + o, 16.3, 16, { static = true, name = "t" .. i }))
+    end
+    local me = world:add("me", box(20 + o, 76 + o, 14, 24))
+    for step = 1, 100 do
+      local x, y, hits, count = world:move(me, 20 + step + o, me.y + 5)
+      assert.are.near(20 + step + o, x, 1e-9)
+      assert.are.equal(100 + o - 24, y)
+      for i = 1, count do
+        assert.are.equal("bottom", hits[i].side)
       end
     end
   end)

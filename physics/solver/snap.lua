@@ -49,19 +49,11 @@ local function stands(b, i)
     and b.displacement[k] * b.down[k] >= 0
 end
 
--- Returns whether slot i still stands on its support.
-local function isOnSupport(b, i, axis, turn)
-  local j, x = b.support[i], b.to[2 * i + 1 - axis]
-  local gap = ground.heightOn(b, i, j, axis, turn, x) - turn * b.to[2 * i + axis]
-  local isOver = ground.isOver(b, j, axis, x, b.size[2 * i + 1 - axis])
-  return gap <= EPSILON and gap >= -EPSILON and isOver
-end
-
--- Returns how low the ground may be for slot i at x1, if slot i has come along the ground from (x,
--- height) and has dropped by at most `most` px at each edge.
-local function reach(b, i, axis, turn, x, x1, height, most)
+-- Returns how low the ground may be for the listed body at x1, if that has come along the ground
+-- from (x, height) and has dropped by at most `most` px at each edge.
+local function reach(b, x, x1, height, most)
   local pieces = b.pieceCount
-  local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, most)
+  local _, last = walk.follow(b, x, x1, height, false, most)
   b.pieceCount = pieces
   return last + most
 end
@@ -88,16 +80,13 @@ local function lower(b, i, most)
   local axis = axisOf(b, i)
   local k, t = 2 * i + axis, 2 * i + 1 - axis
   local turn, x = b.down[k], b.to[t]
-  if isOnSupport(b, i, axis, turn) then
-    return
-  end
   local x0, here = path.home(b, t), turn * b.to[k]
   local start, low = turn * path.home(b, k), here + most
   local drop = max(here - start, start - here) + most * (1 + max(x - x0, x0 - x))
-  ground.list(b, i, axis, turn, x0, x, min(start, here), drop) -- (nudge may have lifted it)
-  local j, height = ground.highest(b, i, axis, turn, x, here)
+  ground.list(b, i, x0, x, min(start, here), drop) -- (nudge may have lifted it)
+  local j, height = ground.highest(b, x, here)
   if j ~= 0 and height > low + EPSILON then
-    low = reach(b, i, axis, turn, x0, x, start, most)
+    low = reach(b, x0, x, start, most)
   end
   local isLower = height > here + EPSILON and height <= low + EPSILON
   if j ~= 0 and isLower and not shapes.isRound[b.shape[j]] then

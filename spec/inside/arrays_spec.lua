@@ -156,9 +156,7 @@ end)
 local function tell(library)
   local world, log = library.newWorld({ gravity = 800 }), {}
   local function wall(name, x, y, w, h, fields)
-    local object = { x = x, y = y, width = w, height = h, static = true }
-    small.set(object, fields)
-    return world:add(name, object)
+    return world:add(name, small.tile(x, y, w, h, fields))
   end
   wall("block", 0, 0, 200, 200)
   wall("above", 0, -100, 200, 100)

@@ -18,18 +18,25 @@ local write = require("spec.fuzz.write")
 
 local long = effort.isFirst and it or pending
 
+local put = small.put
 local loadText = rawget(_G, "loadstring") or load
+
+local function reread(one)
+  return assert(loadText("return " .. write.value(one)))()
+end
+
+-- Returns how many steps a case has, of which none fails.
+local function passes(seed, one, chosen)
+  local failure, steps = trial.run(one, chosen)
+  assert(not failure, failure and ("seed %d: %s: %s"):format(seed, failure.check, failure.text))
+  return steps
+end
 
 describe("random games", function()
   it("keep what is promised after every step", function()
     local updates = 0
     for seed = 1, effort.share(12) do
-      local one = case.new(seed, 40)
-      local failure, steps = trial.run(one)
-      if failure then
-        error(("seed %d: %s: %s"):format(seed, failure.check, failure.text))
-      end
-      updates = updates + steps
+      updates = updates + passes(seed, case.new(seed, 40))
     end
     assert.equal(40 * effort.share(12), updates)
   end)
@@ -37,9 +44,8 @@ describe("random games", function()
   it("are the same each time, and written down they are the same again", function()
     local one, other = case.new(3, 20), case.new(3, 20)
     assert.same(one, other)
-    local read = assert(loadText("return " .. write.value(one)))()
-    assert.same(one.acts, read.acts)
-    assert.same(one.settings, read.settings)
+    local read = reread(one)
+    assert.same({ one.acts, one.settings }, { read.acts, read.settings })
   end)
 end)
 
@@ -50,12 +56,7 @@ local SCENE = {
     { "add", 1, "floors", { x = 0, y = 100, width = 100, height = 10, static = true } },
     { "add", 2, "boxes", { x = 20, y = 90, width = 10, height = 10 } },
     { "add", 3, "boxes", { x = 50, y = 80, width = 10, height = 10, vx = 5 } },
-    {
-      "add",
-      4,
-      "sensors",
-      { x = 70, y = 50, width = 10, height = 10, sensor = true, gravity = 0 },
-    },
+    { "add", 4, "sensors", put(70, 50, 10, 10, { sensor = true, gravity = 0 }) },
   },
 }
 
@@ -119,7 +120,7 @@ local CALM = {
 describe("the checks of bounds", function()
   -- the check; after how many updates; of which object (0: of the bounds) what is what; whether
   -- that is noticed
-  for _, row in ipairs({
+  small.rows("{1}, update {2}: noticed is {5}", {
     { "motion", 2, 2, { x = 20 + 10.01 + 800 / 3600 }, true },
     { "motion", 2, 2, { x = 20 + 9.9 }, false },
     { "motion", 2, 2, { x = 38, vx = 660 }, false }, -- as fast as it went
@@ -130,50 +131,38 @@ describe("the checks of bounds", function()
     { "rest", 118, 2, { x = 20.0001 }, false },
     { "time", 2, 0, { taken = 0.2 }, true },
     { "time", 2, 0, { taken = 0.09 }, false },
-  }) do
-    local chosen, updates, isNoticed = row[1], row[2], row[5]
-    local title = "%s, update %d: %s"
-    it(title:format(chosen, updates, isNoticed and "noticed" or "let pass"), function()
-      local one, name = player.new(CALM), nil
-      local watch = checks.new(one, false, { [chosen] = true })
-      for _, act in ipairs(CALM.acts) do
-        one:act(act)
-        if act[1] == "calm" then
-          watch:calm(act)
-        end
+  }, function(chosen, updates, of, fields, isNoticed)
+    local one, name = player.new(CALM), nil
+    local watch = checks.new(one, false, { [chosen] = true })
+    for _, act in ipairs(CALM.acts) do
+      one:act(act)
+      if act[1] == "calm" then
+        watch:calm(act)
       end
-      for n = 1, updates do
-        assert.is_nil(name)
-        watch:before()
-        one:act({ "update", 1 / 60 })
-        watch:stop()
-        for field, value in pairs(n == updates and row[4] or {}) do
-          local its = one.list[row[3]] or watch.bounds
-          its[field] = value
-        end
-        name = watch:after(1 / 60)
-      end
-      assert.equal(isNoticed, name == chosen)
-    end)
-  end
+    end
+    for n = 1, updates do
+      assert.is_nil(name)
+      watch:before()
+      one:act({ "update", 1 / 60 })
+      watch:stop()
+      small.set(one.list[of] or watch.bounds, n == updates and fields or nil)
+      name = watch:after(1 / 60)
+    end
+    assert.equal(isNoticed, name == chosen)
+  end)
 
   -- (In seed 48 a box is added inside a lift, and leaves it behind a wall.)
   long("hold in games with too little room: rest in two seconds, and none past a wall", function()
     local chosen = { motion = true, rest = true, past = true }
     for seed = 1, effort.isWhole and 24 or 2 do
-      local one = crowded.new(seed, 30)
-      local failure = trial.run(one, chosen)
-      if failure then
-        error(("seed %d: %s: %s"):format(seed, failure.check, failure.text))
-      end
+      passes(seed, crowded.new(seed, 30), chosen)
     end
   end)
 
   it("are made in games that are the same each time, with a calm end", function()
     local one = crowded.new(5, 20)
     assert.same(one, crowded.new(5, 20))
-    local read = assert(loadText("return " .. write.value(one)))()
-    assert.same(one.acts, read.acts)
+    assert.same(one.acts, reread(one).acts)
     local calmed, updates = 0, 0
     for _, act in ipairs(one.acts) do
       calmed = calmed + (act[1] == "calm" and 1 or 0)
@@ -231,41 +220,16 @@ end)
 
 -- What the games are watched with, against scenes worked out by hand.
 describe("a watcher of games", function()
-  local box = { x = 10, y = 10, width = 10, height = 10 }
+  local box, HILL = put(10, 10, 10, 10), put(0, 0, 10, 10, { slope = "right" })
   small.rows("knows {1}", {
     { "a box beside it", { x = 0, y = 10, width = 9, height = 9 }, box, -1 },
     { "a box in its corner", { x = 18, y = 17, width = 9, height = 9 }, box, 2 },
     { "a ball at its face", { x = 12, y = 3, width = 8, height = 8, radius = 4 }, box, 1 },
-    {
-      "a ball at its corner",
-      { x = 18, y = 18, width = 10, height = 10, radius = 5 },
-      box,
-      5 - math.sqrt(18),
-    },
-    {
-      "two balls",
-      { x = 0, y = 0, width = 10, height = 10, radius = 5 },
-      { x = 3, y = 4, width = 10, height = 10, radius = 5 },
-      5,
-    },
-    {
-      "a box on a slope",
-      { x = 0, y = 0, width = 4, height = 8 },
-      { x = 0, y = 0, width = 10, height = 10, slope = "right" },
-      2,
-    },
-    {
-      "a box under a slope",
-      { x = 0, y = 2, width = 4, height = 8 },
-      { x = 0, y = 0, width = 10, height = 10, slope = "topright" },
-      2,
-    },
-    {
-      "a ball on a slope",
-      { x = 2, y = 2, width = 4, height = 4, radius = 2 },
-      { x = 0, y = 0, width = 10, height = 10, slope = "right" },
-      2 - math.sqrt(2),
-    },
+    { "a ball at its corner", put(18, 18, 10, 10, { radius = 5 }), box, 5 - math.sqrt(18) },
+    { "two balls", put(0, 0, 10, 10, { radius = 5 }), put(3, 4, 10, 10, { radius = 5 }), 5 },
+    { "a box on a slope", put(0, 0, 4, 8), put(0, 0, 10, 10, { slope = "right" }), 2 },
+    { "a box under a slope", put(0, 2, 4, 8), put(0, 0, 10, 10, { slope = "topright" }), 2 },
+    { "a ball on a slope", put(2, 2, 4, 4, { radius = 2 }), HILL, 2 - math.sqrt(2) },
   }, function(_, one, other, depth)
     assert.near(depth, overlap.depth(one, other), 1e-9)
   end)

@@ -2,22 +2,19 @@
 
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
 local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 local SETTLE = 1 / 6 -- s, ten steps at 60 Hz
 local row = play.row
 
-local platform = scene.thing(
-  "platforms",
-  { name = "platform", x = 100, y = 400, width = 64, height = 8, kinematic = true }
-)
+local LIFT = small.put(100, 400, 64, 8, { name = "platform", kinematic = true })
+local platform = scene.thing("platforms", LIFT)
 local rider = scene.thing("players", { name = "rider", x = 120, y = 376, width = 16, height = 24 })
 
 local function tile(name, x, y, width, height, oneWay)
-  local object = { name = name, x = x, y = y, width = width, height = height, static = true }
-  object.oneWay = oneWay
-  return { "tiles", object }
+  return { "tiles", small.tile(x, y, width, height, { name = name, oneWay = oneWay }) }
 end
 
 local ONE = { platform(), rider() }

@@ -2,6 +2,7 @@
 
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local small = require("spec.support.small")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
 
@@ -9,14 +10,9 @@ local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 local SETTLE = 1 / 6
 local row = play.row
 
-local way = scene.thing(
-  "ways",
-  { name = "way", x = 0, y = 100, width = 200, height = 8, static = true, oneWay = "top" }
-)
-local lift = scene.thing(
-  "ways",
-  { name = "way", x = 0, y = 100, width = 200, height = 8, kinematic = true, oneWay = "top" }
-)
+local WAY = { name = "way", x = 0, y = 100, width = 200, height = 8, oneWay = "top" }
+local way = scene.thing("ways", small.set({ static = true }, WAY))
+local lift = scene.thing("ways", small.set({ kinematic = true }, WAY))
 local tile =
   scene.thing("tiles", { name = "floor", x = 0, y = 300, width = 200, height = 8, static = true })
 local solid = scene.maker("tiles", { static = true })

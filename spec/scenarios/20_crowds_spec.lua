@@ -293,15 +293,13 @@ describe("radius, pushable and strength: what presses to", function()
   end)
 
   -- What pushed a box along one axis pressed it into the slant again, until the rounds ran out.
-  it("a round stone ends in no other and not in the stone", function()
-    for _, seed in ipairs({ 2, 3, 4 }) do
-      local crowd = crowds.new({ count = 12, seed = seed, goal = "point", drive = "vx", ring = 2 })
-      local stone = { x = -16, y = -16, radius = 16, static = true }
-      crowd.world:add("stones", stone)
-      local between, inStone = press(crowd, stone)
-      -- The passes over slanted contacts come as near as 1e-5.
-      assert.same({ seed, true, true }, { seed, between < 1e-5, inStone < 1e-6 })
-    end
+  small.rows("a round stone ends in no other and not in the stone: {1}", { 2, 3, 4 }, function(seed)
+    local crowd = crowds.new({ count = 12, seed = seed, goal = "point", drive = "vx", ring = 2 })
+    local stone = { x = -16, y = -16, radius = 16, static = true }
+    crowd.world:add("stones", stone)
+    local between, inStone = press(crowd, stone)
+    -- The passes over slanted contacts come as near as 1e-5.
+    assert.same({ seed, true, true }, { seed, between < 1e-5, inStone < 1e-6 })
   end)
 
   -- seed, number, squares to the first of them, share of circles, strength

@@ -23,14 +23,15 @@ local LEVELS = {
 }
 
 local function wall(x, y, width, height)
-  return { "walls", { x = x, y = y, width = width, height = height, static = true } }
+  return { "walls", small.tile(x, y, width, height) }
 end
 
 local function machine(name, x, y, width, height)
-  return {
-    "machines",
-    { name = name, x = x, y = y, width = width, height = height, kinematic = true },
-  }
+  return { "machines", small.put(x, y, width, height, { name = name, kinematic = true }) }
+end
+
+local function box(x, y, width, height)
+  return { "boxes", small.put(x, y, width, height, { friction = 0.3 }) }
 end
 
 -- Adds the entries of a list to another.
@@ -44,7 +45,7 @@ end
 local function spot(count, x, y, width, height)
   local list = {}
   for i = 1, count do
-    list[i] = { "boxes", { x = x, y = y, width = width, height = height or width, friction = 0.3 } }
+    list[i] = box(x, y, width, height or width)
   end
   return list
 end
@@ -55,7 +56,7 @@ local function scatter(count, seed, size, width, height)
   for i = 1, count do
     local w, h = size * random:between(0.5, 1.5), size * random:between(0.5, 1.5)
     local x, y = random:between(0, width - w), random:between(0, height - h)
-    list[i] = { "boxes", { x = x, y = y, width = w, height = h, friction = 0.3 } }
+    list[i] = box(x, y, w, h)
   end
   return list
 end
@@ -67,7 +68,7 @@ local function heap(count, seed, cell, width, bottom, isEqual)
     local size = isEqual and 0.8 * cell or random:between(0.6, 1) * cell
     local row = math.floor(i / columns)
     local x, y = cell * (i - row * columns), bottom - cell * row - size
-    list[i + 1] = { "boxes", { x = x, y = y, width = size, height = size, friction = 0.3 } }
+    list[i + 1] = box(x, y, size, size)
   end
   return list
 end
@@ -111,7 +112,7 @@ local SPOTS = {
   { "60 in the open", { gravity = 0 }, spot(60, 0, 0, 8) },
   { "20 wide ones in the open", { gravity = 0 }, spot(20, 0, 0, 24, 6) },
   {
-    "40 in a corner of walls of 2 px",
+    "40 in a corner",
     { gravity = 0, wall(-2, -400, 2, 402), wall(0, 0, 400, 2) },
     spot(40, 0, -8, 8),
   },
@@ -172,12 +173,9 @@ local function machineFor(name, i, way)
 end
 
 local function wallsFor(name)
-  local isUpright = name == "a piston" or name == "two walls"
-  local list = {}
-  if isUpright then
-    join(list, { wall(-300, -20, ROOM + 600, 20), wall(-300, ROOM, ROOM + 600, 20) })
-  else
-    join(list, { wall(-20, -300, 20, ROOM + 600), wall(ROOM, -300, 20, ROOM + 600) })
+  local list = { wall(-300, -20, ROOM + 600, 20), wall(-300, ROOM, ROOM + 600, 20) }
+  if name ~= "a piston" and name ~= "two walls" then
+    list = { wall(-20, -300, 20, ROOM + 600), wall(ROOM, -300, 20, ROOM + 600) }
   end
   if name == "a piston" then
     list[#list + 1] = wall(ROOM, 0, 20, ROOM)
@@ -190,25 +188,18 @@ local function wallsFor(name)
 end
 
 describe("x and y: boxes at one spot", function()
-  local function expectParted(row)
+  local title = "come apart within a second and rest within two: {1}"
+  small.rows(title, effort.rows(SPOTS, 2), function(_, there, boxes)
     scene.each(LEVELS, function(run)
-      local description = join({ gravity = row[2].gravity }, row[2])
-      local _, watch = build(run, join(description, row[3]))
+      local description = join({ gravity = there.gravity }, there)
+      local _, watch = build(run, join(description, boxes))
       scene.watch(run, watch, APART)
       overlap.expectApart(run)
       scene.watch(run, watch, REST)
       overlap.expectApart(run)
       expectRest(run, watch)
     end)
-  end
-
-  for i, row in ipairs(SPOTS) do
-    if effort.plays(i, 2) then
-      it("come apart within a second and rest within two: " .. row[1], function()
-        expectParted(row)
-      end)
-    end
-  end
+  end)
 
   it("come apart when they are flung, three times over", function()
     scene.each(LEVELS, function(run)
@@ -228,23 +219,16 @@ describe("x and y: boxes at one spot", function()
   end)
 end)
 
--- For rows that another interpreter plays.
-local function leaveOut() end
-
 describe("x, y and width: a closed room", function()
-  for i, row in ipairs(ROOMS) do
-    local width, height, count, size, gravity = row[1], row[2], row[3], row[4], row[5]
-    local title = "of %g x %g px with %d boxes of about %g px, gravity %g,"
-    local define = effort.plays(i, 2) and it or leaveOut
-    define(title:format(width, height, count, size, gravity) .. " keeps them in", function()
-      scene.each(LEVELS, function(run)
-        local description = join({ gravity = gravity }, walls(width, height))
-        local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
-        scene.watch(run, watch, count < MANY and REST or REST_OF_MANY)
-        expectRest(run, watch)
-      end)
+  local title = "of {1} x {2} px with {3} boxes of about {4} px, gravity {5}, keeps them in"
+  small.rows(title, effort.rows(ROOMS, 2), function(width, height, count, size, gravity)
+    scene.each(LEVELS, function(run)
+      local description = join({ gravity = gravity }, walls(width, height))
+      local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
+      scene.watch(run, watch, count < MANY and REST or REST_OF_MANY)
+      expectRest(run, watch)
     end)
-  end
+  end)
 
   it("lets none through the other walls when one goes", function()
     scene.each(LEVELS, function(run)
@@ -271,9 +255,8 @@ describe("x, y and width: a closed room", function()
       scene.each(LEVELS, function(run)
         local description, boxes = join({ gravity = gravity }, walls(96, 96)), {}
         for i = 0, 15 do
-          local x, y = 24 * (i % 4) + 8, 24 * math.floor(i / 4) + 8
-          boxes[i + 1] = { "boxes", { name = "box" .. i, x = x, y = y, width = 8, height = 8 } }
-          boxes[i + 1][2].friction = 0.3
+          boxes[i + 1] = box(24 * (i % 4) + 8, 24 * math.floor(i / 4) + 8, 8, 8)
+          boxes[i + 1][2].name = "box" .. i
         end
         local named, watch = build(run, join(description, boxes))
         scene.watch(run, watch, 2, function(time)
@@ -300,9 +283,8 @@ it("add: a heap takes a crate a step into its middle, and rests 1.5 s later, all
     scene.watch(run, watch, 0.5, function()
       if added < 15 then
         added = added + 1
-        local x, y = random:between(0, 108), random:between(120, 188)
-        local crate = { x = x, y = y, width = 12, height = 12, friction = 0.3 }
-        run.all[#run.all + 1] = run:add("boxes", crate).raw
+        local crate = box(random:between(0, 108), random:between(120, 188), 12, 12)
+        run.all[#run.all + 1] = run:add("boxes", crate[2]).raw
       end
     end)
     scene.watch(run, watch, 1.5)
@@ -354,8 +336,7 @@ describe("broadphase and rest: what has no room", function()
     local objects = {}
     for _, list in ipairs({ description, more }) do
       for _, entry in ipairs(list) do
-        local object = {}
-        small.set(object, entry[2])
+        local object = small.set({}, entry[2])
         objects[#objects + 1] = world:add(entry[1], object)
         object.vx = object.kinematic and 60 or nil
       end
@@ -368,28 +349,15 @@ describe("broadphase and rest: what has no room", function()
     return sum
   end
 
-  local function expectSame(description, more)
-    local first = foldOf(description, more, { broadphase = "pairs", rest = false })
-    assert.equal(first, foldOf(description, more, { broadphase = "grid", rest = false }))
-    assert.equal(first, foldOf(description, more, { broadphase = "grid" }))
-    assert.equal(first, foldOf(description, more, { broadphase = "grid", cellSize = 7 }))
-  end
-
-  for i, row in ipairs(SPOTS) do
-    if effort.plays(i, 3) then
-      it("goes the same way with either broad phase: " .. row[1], function()
-        expectSame(row[2], row[3])
-      end)
-    end
-  end
-
-  it("goes the same way with either broad phase: a closed room", function()
-    expectSame(walls(60, 60), scatter(40, 3, 12, 60, 60))
-  end)
-
-  it("goes the same way with either broad phase: a piston", function()
-    local description = wallsFor("a piston")
-    description[#description + 1] = machineFor("machine", 1, WAYS["a piston"][1])
-    expectSame(description, heap(20, 2, 20, ROOM, ROOM))
+  local piston = join(wallsFor("a piston"), { machineFor("machine", 1, WAYS["a piston"][1]) })
+  local rows = join(effort.rows(SPOTS, 3), {
+    { "a closed room", walls(60, 60), scatter(40, 3, 12, 60, 60) },
+    { "a piston", piston, heap(20, 2, 20, ROOM, ROOM) },
+  })
+  small.rows("goes the same way with either broad phase: {1}", rows, function(_, there, boxes)
+    local first = foldOf(there, boxes, { broadphase = "pairs", rest = false })
+    assert.equal(first, foldOf(there, boxes, { broadphase = "grid", rest = false }))
+    assert.equal(first, foldOf(there, boxes, { broadphase = "grid" }))
+    assert.equal(first, foldOf(there, boxes, { broadphase = "grid", cellSize = 7 }))
   end)
 end)

@@ -108,112 +108,100 @@ describe("slope and radius: a ball on a slope", function()
   --  |\_
   --  |  \_  tiles
   --  |____\______
-  it("passes the seams of tiles and the foot without a hop, at any rate", function()
-    for _, rate in ipairs(RATES) do
-      local world, ground = newWorld(), {}
-      world.objects.ground = ground
-      for n = 0, 9 do
-        ground[#ground + 1] = static(40 * n, 20 * n, 40, 20, "left")
-        ground[#ground + 1] = static(40 * n, 20 * n + 20, 40, 400 - 20 * n)
-        ground[#ground + 1] = static(400 + 40 * n, 200, 40, 220)
-      end
-      local ball = world:add("balls", (ballOn(ground[1], 20)))
-      local y = ball.y
-      each(2, rate, world, function()
-        near(0, gapTo(ball, ground))
-      end)
-      near(200 - 2 * R, ball.y)
-      -- The floor takes what goes into it: the part along x is left.
-      near(math.sqrt(2 * GRAVITY * (ball.y - y)) * 2 / math.sqrt(5), ball.vx)
-      assert.equal(0, ball.vy)
+  small.rows("passes the seams of tiles and the foot without a hop, {1} Hz", RATES, function(rate)
+    local world, ground = newWorld(), {}
+    world.objects.ground = ground
+    for n = 0, 9 do
+      ground[#ground + 1] = static(40 * n, 20 * n, 40, 20, "left")
+      ground[#ground + 1] = static(40 * n, 20 * n + 20, 40, 400 - 20 * n)
+      ground[#ground + 1] = static(400 + 40 * n, 200, 40, 220)
     end
-  end)
-
-  it("rolls over the crest from a floor: it falls as far as it flies", function()
-    for _, rate in ipairs(RATES) do
-      local world, ground = newWorld(static(0, 0, 100, 40), static(100, 0, 800, 400, "left"))
-      local ball = world:add("balls", { x = 20, y = -2 * R, radius = R, vx = 40 })
-      local hop = 0
-      each(2.5, rate, world, function()
-        hop = math.max(hop, gapTo(ball, ground))
-        assert.is_true(gapTo(ball, ground) >= -1e-6)
-      end)
-      assert.is_true(hop < 0.5, hop) -- (40 px/s)² / g is 2 px along x
+    local ball = world:add("balls", (ballOn(ground[1], 20)))
+    local y = ball.y
+    each(2, rate, world, function()
       near(0, gapTo(ball, ground))
-    end
+    end)
+    near(200 - 2 * R, ball.y)
+    -- The floor takes what goes into it: the part along x is left.
+    near(math.sqrt(2 * GRAVITY * (ball.y - y)) * 2 / math.sqrt(5), ball.vx)
+    assert.equal(0, ball.vy)
   end)
 
-  it("rests in a valley", function()
-    for _, rate in ipairs(RATES) do
-      local world, ground =
-        newWorld(static(0, 0, 200, 100, "left"), static(200, 0, 200, 100, "right"))
-      local ball = world:add("balls", { x = 60, y = 0, radius = R })
-      each(12, rate, world, function()
-        assert.is_true(gapTo(ball, ground) >= -1e-6)
-      end)
-      assert.same({ 0, 0 }, { ball.vx, ball.vy })
-      near(192, ball.x)
-      near(0, gapOf(ball, ground[1]))
-      near(0, gapOf(ball, ground[2]))
-    end
+  small.rows("rolls over the crest as far as it flies, {1} Hz", RATES, function(rate)
+    local world, ground = newWorld(static(0, 0, 100, 40), static(100, 0, 800, 400, "left"))
+    local ball = world:add("balls", { x = 20, y = -2 * R, radius = R, vx = 40 })
+    local hop = 0
+    each(2.5, rate, world, function()
+      hop = math.max(hop, gapTo(ball, ground))
+      assert.is_true(gapTo(ball, ground) >= -1e-6)
+    end)
+    assert.is_true(hop < 0.5, hop) -- (40 px/s)² / g is 2 px along x
+    near(0, gapTo(ball, ground))
   end)
 
-  it("that hangs is led along it", function()
-    for _, rate in ipairs(RATES) do
-      local world, ground = newWorld(static(0, 0, 400, 200, "topleft"))
-      world.gravity = 0
-      local ball = world:add("balls", { x = 192, y = 250, radius = R, vy = -300 })
-      each(0.9, rate, world, function()
-        assert.is_true(gapTo(ball, ground) >= -1e-6)
-      end)
-      near(300 * 2 / 5, ball.vx)
-      near(-300 / 5, ball.vy)
-    end
+  small.rows("rests in a valley: {1}", RATES, function(rate)
+    local world, ground =
+      newWorld(static(0, 0, 200, 100, "left"), static(200, 0, 200, 100, "right"))
+    local ball = world:add("balls", { x = 60, y = 0, radius = R })
+    each(12, rate, world, function()
+      assert.is_true(gapTo(ball, ground) >= -1e-6)
+    end)
+    assert.same({ 0, 0 }, { ball.vx, ball.vy })
+    near(192, ball.x)
+    near(0, gapOf(ball, ground[1]))
+    near(0, gapOf(ball, ground[2]))
   end)
 
-  it("passes a one-way from below, rolls on it, and falls through on dropThrough", function()
-    for _, rate in ipairs(RATES) do
-      local slope = static(0, 0, 800, 400, "left", { oneWay = "top" })
-      local world = newWorld(slope)
-      local ball = world:add("balls", { x = 150, y = 160, radius = R, vy = -500 })
-      each(1 / 3, rate, world, function(time)
-        near(160 - 500 * time + GRAVITY * time * time / 2, ball.y)
-      end)
-      each(1, rate, world, function() end)
-      near(0, gapOf(ball, slope))
-      assert.equal(slope, ball.touching.bottom)
-      assert.is_true(ball.vx > 0)
-      assert.is_true(world:dropThrough(ball))
-      each(0.5, rate, world, function() end)
-      assert.is_true(ball.y > slope.y + ball.x / 2 + R)
-    end
+  small.rows("that hangs is led along it: {1}", RATES, function(rate)
+    local world, ground = newWorld(static(0, 0, 400, 200, "topleft"))
+    world.gravity = 0
+    local ball = world:add("balls", { x = 192, y = 250, radius = R, vy = -300 })
+    each(0.9, rate, world, function()
+      assert.is_true(gapTo(ball, ground) >= -1e-6)
+    end)
+    near(300 * 2 / 5, ball.vx)
+    near(-300 / 5, ball.vy)
   end)
 
-  it("that moves is a carrier for it, and one that does not carry pushes it", function()
-    for _, rate in ipairs(RATES) do
-      for _, way in ipairs({ { 0, -50 }, { 0, 50 }, { 50, 0 }, { -50, 0 }, { -30, 30 } }) do
-        for _, carry in ipairs({ true, false }) do
-          local slope = static(0, 0, 800, 400, "left", { carry = carry, kinematic = true })
-          slope.static = nil
-          local world = newWorld(slope)
-          local ball = ballOn(slope, 200)
-          if not carry then
-            slope.vx, slope.vy, ball.vx, ball.vy = way[1], way[2], way[1], way[2]
-          end
-          world:add("balls", ball)
-          local x, y = ball.x, ball.y
-          local function at(time)
-            local rolled = GRAVITY * time * time / 2
-            near(x + slope.x + rolled * 2 / 5, ball.x, 1e-5)
-            near(y + slope.y + rolled / 5, ball.y, 1e-5)
-            near(0, gapOf(ball, slope))
-          end
-          each(0.5, rate, world, at)
-          slope.vx, slope.vy = way[1], way[2]
-          each(0.5, rate, world, function(time)
-            at(0.5 + time)
-          end)
+  small.rows("passes a one-way, rolls on it, drops through, {1} Hz", RATES, function(rate)
+    local slope = static(0, 0, 800, 400, "left", { oneWay = "top" })
+    local world = newWorld(slope)
+    local ball = world:add("balls", { x = 150, y = 160, radius = R, vy = -500 })
+    each(1 / 3, rate, world, function(time)
+      near(160 - 500 * time + GRAVITY * time * time / 2, ball.y)
+    end)
+    each(1, rate, world, function() end)
+    near(0, gapOf(ball, slope))
+    assert.equal(slope, ball.touching.bottom)
+    assert.is_true(ball.vx > 0)
+    assert.is_true(world:dropThrough(ball))
+    each(0.5, rate, world, function() end)
+    assert.is_true(ball.y > slope.y + ball.x / 2 + R)
+  end)
+
+  small.rows("that moves carries it, or pushes it, {1} Hz", RATES, function(rate)
+    for _, way in ipairs({ { 0, -50 }, { 0, 50 }, { 50, 0 }, { -50, 0 }, { -30, 30 } }) do
+      for _, carry in ipairs({ true, false }) do
+        local slope = static(0, 0, 800, 400, "left", { carry = carry, kinematic = true })
+        slope.static = nil
+        local world = newWorld(slope)
+        local ball = ballOn(slope, 200)
+        if not carry then
+          slope.vx, slope.vy, ball.vx, ball.vy = way[1], way[2], way[1], way[2]
         end
+        world:add("balls", ball)
+        local x, y = ball.x, ball.y
+        local function at(time)
+          local rolled = GRAVITY * time * time / 2
+          near(x + slope.x + rolled * 2 / 5, ball.x, 1e-5)
+          near(y + slope.y + rolled / 5, ball.y, 1e-5)
+          near(0, gapOf(ball, slope))
+        end
+        each(0.5, rate, world, at)
+        slope.vx, slope.vy = way[1], way[2]
+        each(0.5, rate, world, function(time)
+          at(0.5 + time)
+        end)
       end
     end
   end)

@@ -121,17 +121,15 @@ describe("radius: a ball", function()
     end
   end)
 
-  it("falls on a seam as on a face", function()
-    for _, off in ipairs({ 0, 1e-7, 1e-3, 0.2, 3 }) do
-      local world = physics.newWorld({ gravity = 0 })
-      world:add("tiles", tile(0, 100, 50, 20))
-      world:add("tiles", tile(50, 100, 50, 20))
-      local object =
-        world:add("balls", ball(50 - off, 50, 10, { vx = 30, vy = 300, restitution = 1 }))
-      run(world, 0.25)
-      near(30, object.vx, 1e-3)
-      near(-300, object.vy, 1e-3)
-    end
+  small.rows("falls on a seam as on a face: {1}", { 0, 1e-7, 1e-3, 0.2, 3 }, function(off)
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("tiles", tile(0, 100, 50, 20))
+    world:add("tiles", tile(50, 100, 50, 20))
+    local object =
+      world:add("balls", ball(50 - off, 50, 10, { vx = 30, vy = 300, restitution = 1 }))
+    run(world, 0.25)
+    near(30, object.vx, 1e-3)
+    near(-300, object.vy, 1e-3)
   end)
 
   -- A box in a niche of walls; a ball on the floor below is pressed slanted against its corner.
@@ -179,17 +177,15 @@ describe("radius: a ball", function()
   end)
 
   -- 30 px from centre to centre; 18 px across, 24 px up.
-  it("rolls off a ball or a stone", function()
-    for _, isStatic in ipairs({ true, false }) do
-      for _, row in ipairs({ { 18, 24.1 }, { 18, 44 } }) do
-        local world = physics.newWorld({ gravity = 800 })
-        world:add("floors", tile(0, 120, 200, 10))
-        world:add("stones", ball(100, 100, 20, { static = isStatic, mass = 1000, friction = 1 }))
-        local object = world:add("balls", ball(100 + row[1], 100 - row[2], 10))
-        run(world, 1)
-        assert.is_true(object.y > 76)
-        assert.is_true(object.vx > 0)
-      end
+  small.rows("rolls off a ball or a stone: {1}", { true, false }, function(isStatic)
+    for _, row in ipairs({ { 18, 24.1 }, { 18, 44 } }) do
+      local world = physics.newWorld({ gravity = 800 })
+      world:add("floors", tile(0, 120, 200, 10))
+      world:add("stones", ball(100, 100, 20, { static = isStatic, mass = 1000, friction = 1 }))
+      local object = world:add("balls", ball(100 + row[1], 100 - row[2], 10))
+      run(world, 1)
+      assert.is_true(object.y > 76)
+      assert.is_true(object.vx > 0)
     end
   end)
 
@@ -376,37 +372,33 @@ end)
 
 describe("radius and slope: a marble", function()
   -- It runs down 1:2 at 400 px/s; another one falls onto it, which must not stop it.
-  it("that is struck on a ramp keeps its momentum along it, whatever the masses", function()
-    for _, rate in ipairs({ 30, 60, 144 }) do
-      for _, mass in ipairs({ 0.5, 1, 3 }) do
-        for off = 0, 5 do
-          local world = physics.newWorld({ gravity = 0 })
-          world:add("ramps", tile(0, 200, 800, 400, { slope = "left" }))
-          local far, x = 10 * math.sqrt(1.25), 240 + 7 * off
-          local one = world:add("balls", ball(200, 300 - far, 10, { vx = 358, vy = 179 }))
-          local fields = { vx = 150, vy = 350, mass = mass }
-          local other = world:add("balls", ball(x, 170 + x / 2 - far, 10, fields))
-          run(world, 0.5, rate)
-          local along = 2 * (one.vx + mass * other.vx) + one.vy + mass * other.vy
-          near(2 * (358 + mass * 150) + 179 + mass * 350, along, 0.01 * along)
-          assert.is_true(math.max(math.abs(one.vx), math.abs(other.vx)) > 50)
-        end
+  small.rows("struck on a ramp keeps its momentum along it, {1} Hz", { 30, 60, 144 }, function(rate)
+    for _, mass in ipairs({ 0.5, 1, 3 }) do
+      for off = 0, 5 do
+        local world = physics.newWorld({ gravity = 0 })
+        world:add("ramps", tile(0, 200, 800, 400, { slope = "left" }))
+        local far, x = 10 * math.sqrt(1.25), 240 + 7 * off
+        local one = world:add("balls", ball(200, 300 - far, 10, { vx = 358, vy = 179 }))
+        local fields = { vx = 150, vy = 350, mass = mass }
+        local other = world:add("balls", ball(x, 170 + x / 2 - far, 10, fields))
+        run(world, 0.5, rate)
+        local along = 2 * (one.vx + mass * other.vx) + one.vy + mass * other.vy
+        near(2 * (358 + mass * 150) + 179 + mass * 350, along, 0.01 * along)
+        assert.is_true(math.max(math.abs(one.vx), math.abs(other.vx)) > 50)
       end
     end
   end)
 
-  it("rolls down a ramp that rises or sinks as down one that stands", function()
-    for _, speed in ipairs({ 0, -32, 32 }) do
-      local world, air = physics.newWorld({ gravity = 900 }), 0
-      local fields = { slope = "left", kinematic = true, vy = speed }
-      world:add("ramps", small.put(-100, 200, 600, 300, fields))
-      local one = world:add("balls", ball(48, 158, 8, { vx = 30, vy = speed, restitution = 0.3 }))
-      small.run(world, 90, 60, function(n)
-        air = air + ((n <= 54 or one.touching.bottom) and 0 or 1)
-      end)
-      near(438.25, one.x, 0.02)
-      assert.equal(0, air)
-    end
+  small.rows("rolls down a ramp alike that moves by {1} px/s", { 0, -32, 32 }, function(speed)
+    local world, air = physics.newWorld({ gravity = 900 }), 0
+    local fields = { slope = "left", kinematic = true, vy = speed }
+    world:add("ramps", small.put(-100, 200, 600, 300, fields))
+    local one = world:add("balls", ball(48, 158, 8, { vx = 30, vy = speed, restitution = 0.3 }))
+    small.run(world, 90, 60, function(n)
+      air = air + ((n <= 54 or one.touching.bottom) and 0 or 1)
+    end)
+    near(438.25, one.x, 0.02)
+    assert.equal(0, air)
   end)
 end)
 

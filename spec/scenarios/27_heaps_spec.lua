@@ -203,7 +203,7 @@ describe("radius: a heap of balls", function()
   )
 
   -- Balls, or each third one a box, in ten columns. The last one lands within 0.6 s.
-  for what, hasBoxes in pairs({ ["100"] = false, ["67, and 33 boxes,"] = true }) do
+  for what, hasBoxes in pairs({ ["100"] = false, ["67, and 33 boxes, #slow"] = true }) do
     long("of " .. what .. " rests two seconds after it has fallen, without overlaps", function()
       local world, random = newShaft({}, 240), newRandom(3)
       for i = 0, 99 do
@@ -357,26 +357,24 @@ describe("radius: a heap of balls", function()
     assert.is_true(player.x > 40, player.x)
   end)
 
-  it("stands as a pyramid between walls, and falls apart without them", function()
-    for _, hasWalls in ipairs({ true, false }) do
-      local world = physics.newWorld({ gravity = 800 })
-      wall(world, -400, 200, 1000, 20)
-      for row = 0, 3 do
-        for i = 0, 3 - row do
-          world:add("balls", { x = 20 * i + 10 * row, y = 180 - 17.4 * row, radius = 10 })
-        end
+  small.rows("stands as a pyramid, with walls: {1}", { true, false }, function(hasWalls)
+    local world = physics.newWorld({ gravity = 800 })
+    wall(world, -400, 200, 1000, 20)
+    for row = 0, 3 do
+      for i = 0, 3 - row do
+        world:add("balls", { x = 20 * i + 10 * row, y = 180 - 17.4 * row, radius = 10 })
       end
-      if hasWalls then
-        wall(world, -10, 100, 10, 100)
-        wall(world, 80, 100, 10, 100)
-      end
-      run(world, 4)
-      if hasWalls then
-        assert.are.equal(10, world.stats.resting)
-        assert.is_true(topOf(world.objects.balls) < 140)
-      else
-        assert.is_true(topOf(world.objects.balls) > 140) -- three may stay on each other
-      end
+    end
+    if hasWalls then
+      wall(world, -10, 100, 10, 100)
+      wall(world, 80, 100, 10, 100)
+    end
+    run(world, 4)
+    if hasWalls then
+      assert.are.equal(10, world.stats.resting)
+      assert.is_true(topOf(world.objects.balls) < 140)
+    else
+      assert.is_true(topOf(world.objects.balls) > 140) -- three may stay on each other
     end
   end)
 

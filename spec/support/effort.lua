@@ -35,6 +35,15 @@ function effort.plays(row, share)
   return effort.isWhole or (row - own) % share == 0
 end
 
+--- Those of a list of rows.
+function effort.rows(list, share)
+  local part = {}
+  for i, row in ipairs(list) do
+    part[#part + 1] = effort.plays(i, share) and row or nil
+  end
+  return part
+end
+
 --- Whether this process plays what takes half a second or more and shows the same on every Lua, and
 --- what compares Luas: only LuaJIT does, as LÖVE has it, or whatever was not asked for by name.
 effort.isFirst = asked == nil or asked == "LuaJIT"

@@ -159,12 +159,9 @@ function tiled.infinite()
   local solid, rough = { solid = true }, { solid = true, friction = 0.9 }
   local set = tiled.tileset({ { id = 0, properties = solid }, { id = 3, properties = rough } })
   local rocks = tiled.tiles(1, "rocks", { "." }, { offsety = 8 })
-  rocks.data, rocks.chunks =
-    nil, {
-      tiled.chunk(-4, 0, { "..11", "...." }),
-      tiled.chunk(0, 0, { "11..", "1..." }),
-      tiled.chunk(0, 2, { "1...", "4..." }),
-    }
+  local left = tiled.chunk(-4, 0, { "..11", "...." })
+  local upper, lower = tiled.chunk(0, 0, { "11..", "1..." }), tiled.chunk(0, 2, { "1...", "4..." })
+  rocks.data, rocks.chunks = nil, { left, upper, lower }
   local box = tiled.object(2, -20, 0, 8, 8, { properties = { mass = 2 } })
   return tiled.map({ set }, { rocks, tiled.objects(2, "boxes", { box }) }, { infinite = true })
 end
@@ -304,8 +301,8 @@ function tiled.json(map)
       listProperties(tile)
       writeObjects(tile.objectgroup or {})
       if tile.image then
-        tile.imagewidth, tile.imageheight, tile.width, tile.height =
-          tile.width, tile.height, nil, nil
+        tile.imagewidth, tile.imageheight = tile.width, tile.height
+        tile.width, tile.height = nil, nil
       end
     end
   end
@@ -317,9 +314,7 @@ end
 --- A map with this title must be read like that, also from JSON, and through STI unless `sti` is
 --- false.
 function tiled.row(title, map, expected, options, sti)
-  -- busted gives its words to spec files, not to what they require
-  local row = rawget(_G, "it") or require("busted").it
-  row(title, function()
+  small.rows(title, { {} }, function()
     for _, each in ipairs({ map, tiled.json(map), sti ~= false and tiled.sti(map) or nil }) do
       local found = tiled.show(tiled.load(each, options))
       assert(found == expected, found)
@@ -387,12 +382,8 @@ function tiled.text(text, known)
     local options = row.options
     local set = tiled.tileset(known and known[options.tiles], known and known[options.set])
     options.tiles, options.set = nil, nil
-    tiled.row(
-      row.title,
-      tiled.map({ set }, { row.layer }),
-      table.concat(row.expected, "; "),
-      options
-    )
+    local map = tiled.map({ set }, { row.layer })
+    tiled.row(row.title, map, table.concat(row.expected, "; "), options)
   end
 end
 

@@ -119,17 +119,6 @@ local function cover(list)
   end
 end
 
--- Of a selection, the part of an interpreter that does not play all.
-local function partOf(list)
-  local part = {}
-  for i = 1, #list do
-    if effort.plays(i, math.min(effort.isFirst and 2 or 4, #list)) then
-      part[#part + 1] = list[i]
-    end
-  end
-  return part
-end
-
 local known = {}
 
 --- The variants in which a row is played.
@@ -149,7 +138,11 @@ function variants.select(levels)
     for _, variant in ipairs(list) do
       variant.name = describe(variant)
     end
-    known[key] = os.getenv("PHYSICS_SPEC") == "full" and list or partOf(cover(list))
+    if os.getenv("PHYSICS_SPEC") ~= "full" then
+      list = cover(list)
+      list = effort.rows(list, math.min(effort.isFirst and 2 or 4, #list))
+    end
+    known[key] = list
   end
   return known[key]
 end
