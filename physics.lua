@@ -108,11 +108,8 @@ function physics.globals()
   globals.objects = default().objects
   globals.physics_load = function(settings)
     physics.load(settings)
-    if type(globals.objects) == "table" then
-      default().objects = globals.objects
-    else
-      globals.objects = default().objects
-    end
+    made.objects = type(globals.objects) == "table" and globals.objects or made.objects
+    globals.objects = made.objects
   end
   globals.physics_update = function(dt)
     default().objects = globals.objects

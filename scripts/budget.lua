@@ -9,7 +9,7 @@ package.path = "./?.lua;" .. package.path
 local files = require("spec.support.files")
 
 local BUDGET = {
-  { "physics.lua", 86 },
+  { "physics.lua", 83 },
   { "physics/broadphase", 629 },
   { "physics/contacts", 387 },
   { "physics/fields", 686 },
@@ -17,14 +17,14 @@ local BUDGET = {
   { "physics/memory", 894 },
   { "physics/motion", 998 },
   { "physics/narrowphase", 573 },
-  { "physics/objects", 1296 },
+  { "physics/objects", 1293 },
   { "physics/overlaps", 838 },
-  { "physics/queries", 985 },
+  { "physics/queries", 982 },
   { "physics/sleep", 85 },
   { "physics/solver", 3447 },
   { "physics/space", 500 },
   { "physics/state", 1051 },
-  { "physics/world", 1365 },
+  { "physics/world", 1364 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -227,19 +227,15 @@ function near.line(c, x1, y1, x2, y2, visit)
   end
 end
 
---- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world.
-function near.find(c, object)
-  local i = c.bodies.slotOf[object]
-  return i and c.bodies.group[i] and add(c, i) or nil
-end
-
---- Does the same. Errors: the object is not in the world; `name` is that of the argument.
+--- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world. With
+--- `where`, the call, that is an error; `name` is that of the argument.
 function near.get(c, object, where, name)
-  local n = near.find(c, object)
-  if not n then
+  local i = c.bodies.slotOf[object]
+  if i and c.bodies.group[i] then
+    return add(c, i)
+  elseif where then
     registry.failMissing(where, name)
   end
-  return n
 end
 
 --- Reads the fields that decide which objects one of a catch can meet. Errors: one of them cannot

@@ -382,7 +382,7 @@ function restore.world(world, st)
   if layers then
     recall.finish(world, st, layers, objects)
   end
-  read.outdate(b)
+  b.isSeen = false
   return sentence, new
 end
 
