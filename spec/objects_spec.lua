@@ -198,11 +198,7 @@ describe("add, remove and refresh", function()
     { steps = 10 },
     { "box.static = nil", { steps = 10 }, "box.y == 0" },
     { "world:refresh(box.raw)", 1, "box.y == 84", "box.touching.bottom == floor" },
-    {
-      "box.static, box.vx = true, 100",
-      "world:refresh(box.raw)",
-      "box.touching.bottom == false",
-    },
+    { "box.static, box.vx = true, 100", "world:refresh(box.raw)", "box.touching.bottom == false" },
     { "upper = world:add('boxes', newBox(0, 40))", 1, "upper.y == 68", "box.x == 0" },
   })
 

@@ -291,16 +291,7 @@ describe("world:fits", function()
     world.objects.crates[1].active = false
     assert.is_true(world:fits(110, 80, 16, 20))
     local words = "filter must be a group name, a list of them or a function, got false"
-    small.refuses(
-      "world:fits(x, y, width, height): " .. words,
-      world.fits,
-      world,
-      1,
-      8,
-      6,
-      2,
-      false
-    )
+    small.refuses("fits(x, y, width, height): " .. words, world.fits, world, 1, 8, 6, 2, false)
   end)
 
   it("sees what was changed since the last step, and changes nothing", function()

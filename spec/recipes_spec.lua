@@ -333,16 +333,9 @@ recipes["Scale and resolution"] = function(snippet)
 end
 
 describe("docs/recipes.md:", function()
-  local loveBefore
-
+  snippets.keepLove(before_each, after_each)
   before_each(function()
-    loveBefore = rawget(_G, "love")
     rawset(_G, "love", snippets.newLove({}))
-    physics.load()
-  end)
-
-  after_each(function()
-    rawset(_G, "love", loveBefore)
   end)
 
   local seen = {}

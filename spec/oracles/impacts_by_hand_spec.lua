@@ -55,10 +55,7 @@ describe("restitution: known by hand,", function()
     s:set({ gravity = 0 })
     local r = s.random:between(0.2, 1)
     local u = s.random:between(-100, 200)
-    s.world:add(
-      "walls",
-      { x = -500, y = -100, width = 500, height = 300, kinematic = true, vx = u }
-    )
+    s.world:add("wall", { x = -500, y = -100, width = 500, height = 300, kinematic = true, vx = u })
     local b =
       s:box({ x = s.random:between(5, 60), y = 0, vx = s.random:between(-400, 0), restitution = r })
     local line = { { x = -500, v = u, mass = huge, width = 500 } }

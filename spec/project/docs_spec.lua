@@ -1,7 +1,6 @@
 --- The pages are true: every Lua snippet runs and prints what it says, every link leads somewhere.
 
 local files = require("spec.support.files")
-local physics = require("physics")
 local snippets = require("spec.support.snippets")
 
 local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
@@ -106,20 +105,13 @@ end
 
 for _, path in ipairs(PAGES) do
   describe("the page " .. path, function()
-    local loveBefore
     local text = snippets.read(path)
 
-    before_each(function()
-      loveBefore = rawget(_G, "love")
-      physics.load()
-    end)
-
+    snippets.keepLove(before_each, after_each)
     after_each(function()
-      rawset(_G, "love", loveBefore)
       for _, name in ipairs(GLOBALS) do -- of the tutorial
         rawset(_G, name, nil)
       end
-      physics.load()
     end)
 
     local number = 0

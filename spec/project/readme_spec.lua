@@ -17,17 +17,7 @@ local function section(title)
 end
 
 describe("the README", function()
-  local loveBefore
-
-  before_each(function()
-    loveBefore = rawget(_G, "love")
-    physics.load()
-  end)
-
-  after_each(function()
-    rawset(_G, "love", loveBefore)
-    physics.load()
-  end)
+  snippets.keepLove(before_each, after_each)
 
   it("begins with a game of at most 25 lines, which plays", function()
     local game = README:match("\n```lua\n(.-)\n```\n")

@@ -183,14 +183,7 @@ describe("kinematic: on and off a platform:", function()
     1 / 3,
     { 0.5, "rider rides platform, 20" },
     "rider heard 1, 1",
-  }, {
-    "vx, vy, levels",
-    { 60, 0, EVERYWHERE },
-    { 0, -60 },
-    { 0, 60 },
-    { -80, 500 },
-    { 60, -300 },
-  })
+  }, { "vx, vy, levels", { 60, 0, EVERYWHERE }, { 0, -60 }, { 0, 60 }, { -80, 500 }, { 60, -300 } })
 
   row("a rider that walks off at {vx} px/s keeps the platform's velocity", SOME, ONE, {
     SETTLE,

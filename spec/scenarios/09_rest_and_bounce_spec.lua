@@ -126,12 +126,7 @@ describe("restitution: a bounce", function()
     return list
   end
   row("between a floor and a ceiling keeps its energy", EVERYWHERE, inRoom, {
-    {
-      5,
-      "box.vy ^ 2 / 2 - 800 * box.y ~ 85000, 1e-3",
-      "box.y >= 24 - 1e-6",
-      "box.y <= 100 + 1e-6",
-    },
+    { 5, "box.vy ^ 2 / 2 - 800 * box.y ~ 85000, 1e-3", "box.y > 24 - 1e-6", "box.y <= 100 + 1e-6" },
   }, { "y, restitution, vy", { 50, 1, -500 } })
 
   -- Limits: after 24 hits in a step a body bounces no more.

@@ -106,11 +106,7 @@ describe("x and y: a body inside a block leaves by the smallest way that is free
   local FAR = { gravity = 0, solid(0, 0, 64, 64), movable("box", 20, 24, 16, 16) }
   row("(11) or stays, where that is far", EVERYWHERE, FAR, {
     "box.vx = -60",
-    {
-      0.5,
-      "min(abs(box.x - 20) - 1, max(box.x + 16, -16 - 60 * t - box.x)) <= 1e-6",
-      "box.y ~ 24",
-    },
+    { 0.5, "min(abs(box.x - 20) - 1, max(box.x + 16, -16 - 60 * t - box.x)) < 1e-6", "box.y ~ 24" },
   })
 
   local FIRST = { shift = { 0 }, order = { "forward" }, push = { "both" } }

@@ -341,34 +341,32 @@ describe("radius and kinematic: balls in a heap", function()
 end)
 
 -- A cue ball at 1500 px/s, and a triangle of so many balls that touch each other.
-describe("radius and restitution: a flush rack", function()
-  small.rows(
-    "keeps the energy of the cue ball: {1} balls at {2} Hz",
-    small.cross({ 3, 6, 15 }, { 30, 60, 144 }),
-    function(count, rate)
-      local world, list = physics.newWorld({ gravity = 0 }), {}
-      world:add("balls", ball(100, 300, 14, { restitution = 1, vx = 1500 }))
-      local column = 0
-      while #list < count do
-        for n = 0, column do
-          local x, y = 300 + column * 14 * math.sqrt(3), 300 + (2 * n - column) * 14
-          list[#list + 1] = world:add("balls", ball(x, y, 14, { restitution = 1 }))
-        end
-        column = column + 1
+small.rows(
+  "radius and restitution: a flush rack keeps the energy of the cue ball: {1} balls at {2} Hz",
+  small.cross({ 3, 6, 15 }, { 30, 60, 144 }),
+  function(count, rate)
+    local world, list = physics.newWorld({ gravity = 0 }), {}
+    world:add("balls", ball(100, 300, 14, { restitution = 1, vx = 1500 }))
+    local column = 0
+    while #list < count do
+      for n = 0, column do
+        local x, y = 300 + column * 14 * math.sqrt(3), 300 + (2 * n - column) * 14
+        list[#list + 1] = world:add("balls", ball(x, y, 14, { restitution = 1 }))
       end
-      run(world, 1, rate)
-      local energy = 0
-      for _, one in ipairs(world.objects.balls) do
-        energy = energy + (one.vx * one.vx + one.vy * one.vy) / (1500 * 1500)
-      end
-      near(1, energy, 1e-9)
-      if count == 3 then -- the normals are at 30 degrees, so each ball gets 0.6 * 1500 along x
-        near(900, list[2].vx, LATER)
-        near(-list[2].vy, list[3].vy, LATER)
-      end
+      column = column + 1
     end
-  )
-end)
+    run(world, 1, rate)
+    local energy = 0
+    for _, one in ipairs(world.objects.balls) do
+      energy = energy + (one.vx * one.vx + one.vy * one.vy) / (1500 * 1500)
+    end
+    near(1, energy, 1e-9)
+    if count == 3 then -- the normals are at 30 degrees, so each ball gets 0.6 * 1500 along x
+      near(900, list[2].vx, LATER)
+      near(-list[2].vy, list[3].vy, LATER)
+    end
+  end
+)
 
 describe("radius and slope: a marble", function()
   -- It runs down 1:2 at 400 px/s; another one falls onto it, which must not stop it.

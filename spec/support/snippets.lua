@@ -2,6 +2,7 @@
 
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
+local small = require("spec.support.small")
 local states = require("spec.support.states")
 
 local snippets = {}
@@ -111,9 +112,7 @@ end
 function snippets.run(snippet, extra)
   local printed, said = {}, {}
   local environment = snippets.newEnvironment(printed, { right = true })
-  for name, value in pairs(extra or {}) do
-    environment[name] = value
-  end
+  small.set(environment, extra)
   rawset(_G, "love", environment.love)
   snippets.compile(snippet, "=snippet", environment)()
   for line in snippet:gmatch("%-%-> ([^\n]*)") do
@@ -121,6 +120,19 @@ function snippets.run(snippet, extra)
   end
   environment.world:update(1 / 60)
   return environment, said, printed
+end
+
+--- After each spec of a block `love` is what it was before, and the default world is empty.
+function snippets.keepLove(beforeEach, afterEach)
+  local before
+  beforeEach(function()
+    before = rawget(_G, "love")
+    physics.load()
+  end)
+  afterEach(function()
+    rawset(_G, "love", before)
+    physics.load()
+  end)
 end
 
 --- Starts a step of a page, docs/steps/`name`1.lua to 7. Returns its `love`, its locals `player`
@@ -165,16 +177,7 @@ end
 function snippets.steps(page, name, standing)
   -- busted gives its words to spec files, not to what they require
   local words = rawget(_G, "it") and _G or require("busted")
-  local loveBefore
-
-  words.before_each(function()
-    loveBefore = rawget(_G, "love")
-  end)
-
-  words.after_each(function()
-    rawset(_G, "love", loveBefore)
-  end)
-
+  snippets.keepLove(words.before_each, words.after_each)
   for step = 1, 7 do
     words.it("step " .. step .. " plays, and the page links it", function()
       assert(snippets.walks(name, step) == (step > standing))
