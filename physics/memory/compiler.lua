@@ -12,9 +12,9 @@ local jit = rawget(_G, "jit")
 local debug = rawget(_G, "debug")
 
 -- Traces, kB of machine code, and how often a trace is left in one place until that way is
--- compiled, too. (With LuaJIT's 10, crowds compile rare ways for minutes: 1.4 times the traces, 2 to
--- 8 times the attempts that fail, and up to 1.6 times the time of the first 100 steps.) A game that
--- wants other limits sets them after it has loaded the library.
+-- compiled, too. (With LuaJIT's 10, crowds compile rare ways for minutes: 1.4 times the traces, two
+-- to eight times the attempts that fail, and up to 1.6 times the time of the first 100 steps.) A
+-- game that wants other limits sets them after it has loaded the library.
 local LIMITS = { "maxtrace=8000", "maxmcode=16384", "hotexit=150" }
 
 --- By file: the functions that are not compiled.
