@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 629 },
   { "physics/contacts", 387 },
   { "physics/fields", 686 },
-  { "physics/maps", 2464 },
+  { "physics/maps", 2463 },
   { "physics/memory", 894 },
   { "physics/motion", 998 },
   { "physics/narrowphase", 573 },
@@ -23,7 +23,7 @@ local BUDGET = {
   { "physics/sleep", 85 },
   { "physics/solver", 3447 },
   { "physics/space", 500 },
-  { "physics/state", 1051 },
+  { "physics/state", 1047 },
   { "physics/world", 1364 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
