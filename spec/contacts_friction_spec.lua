@@ -472,4 +472,20 @@ describe("friction: of a stack", function()
     0.1,
     "top.x ~ start - 6.25 * 0.1 - 135 * 0.1 ^ 2 - 270 * dt * 0.05, 270 * dt * 0.05 + 0.01",
   }, { "hit, belt", { "at rest", 0 }, { "pressed to the ram", 40 } })
+
+  --   [ top ][c]         the wall holds low, and that holds top: neither presses c, which falls
+  --     [ low ]| wall
+  --   ------------- ->
+  play.row("holds nothing in the air beside it: on a belt at {belt} px/s", THIRTY, function(v)
+    local crate = scene.maker("crates", { friction = 0.7 })
+    local belt = { static = true, friction = 0.9, surfaceSpeed = v.belt }
+    return {
+      gravity = 900,
+      scene.maker("belts", belt)("belt", 0, 100, 340, 12),
+      scene.maker("walls", { static = true })("wall", 80, 70, 20, 12),
+      crate("low", 60, 80, 20, 20),
+      crate("top", 57.8, 67, 13, 13),
+      crate("c", 70.8, 59, 8, 8),
+    }
+  end, { 0.5, "c.y == 72" }, { "belt", { 0 }, { 30 }, { 140 } })
 end)

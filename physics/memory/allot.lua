@@ -35,11 +35,10 @@ local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
 --- Names the columns of gravity, air friction and drag of a body, with zones and without (see
 --- zones).
 function allot.chooseFlow(b)
-  if b.hasZones then
-    b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
-  else
-    b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag
-  end
+  local hasZones = b.hasZones
+  b.flowPull = hasZones and b.zonePull or b.pull
+  b.flowAir = hasZones and b.zoneAir or b.airFriction
+  b.flowDrag = hasZones and b.zoneDrag or b.drag
 end
 
 --- Makes room in some columns for the index `last`.

@@ -40,6 +40,7 @@ local contacts = require(root .. ".solver.contacts")
 local flow = require(root .. ".solver.flow")
 local path = require(root .. ".motion.path")
 local settle = require(root .. ".solver.settle")
+local yielding = require(root .. ".narrowphase.yielding")
 
 local friction = {}
 
@@ -80,41 +81,42 @@ end
 
 -- Returns whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1): it
 -- has lost speed to m, and either something immovable holds m (`held`), or gravity presses k onto
--- m, which gives way.
-local function leans(b, k, m, sign, held)
+-- m, which gives way. (If m itself leans on nothing there, a bond below k may have stopped both as
+-- one block: k does not press m.)
+local function leans(b, list, k, m, sign, held)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
   if b.give[k] == 0 or lost < 0 then
     return false
   elseif held[m] > 0 then
-    return true
+    return b.give[m] == 0 or b.down[k] == sign or list.bearing[b.bearer[m]] == sign
   end
   return lost > 0 and b.down[k] == sign and (b.speed[m] - b.freeSpeed[m]) * sign >= 0
 end
 
--- Finds the contacts that bear a load, and for each body the contact that bears its load.
+-- Finds the contacts that bear a load, from the supports up, and for each body the contact that
+-- bears its load.
 local function findSupports(b, list, axis)
   local awake, bearer, load, weight = b.awakeList, b.bearer, b.load, b.weight
   for n = 1, b.awakeCount do
     local k = 2 * awake[n] + axis
     bearer[k], load[k], weight[k] = 0, 0, 0
   end
-  local low, high, separation, bearing = list.low, list.high, list.separation, list.bearing
-  local to, from, size, other = b.to, b.from, b.size, 1 - 2 * axis
-  for c = 1, list.count do
-    local kl, kh = low[c], high[c]
-    local over, sign = to[kl] + separation[c] - to[kh], 0
-    if over <= SQUEEZED and over >= -EPSILON then
-      if leans(b, kl, kh, 1, b.heldHigh) then
-        sign = 1
-      elseif leans(b, kh, kl, -1, b.heldLow) then
-        sign = -1
+  local to, from, size, bearing, across = b.to, b.from, b.size, list.bearing, 1 - 2 * axis
+  for sign = 1, -1, -2 do
+    local up, low = contacts.along(list, sign)
+    local _, _, first, last = contacts.along(list, -sign)
+    local held = yielding.holders(b, -sign)
+    for c = first, last, -sign do
+      local k, m = up[c], low[c]
+      local over = (to[k] - to[m]) * sign + list.separation[c]
+      bearing[c] = sign < 0 and bearing[c] or 0
+      local isFlush = over <= SQUEEZED and over >= -EPSILON
+      if bearing[c] == 0 and isFlush and leans(b, list, k, m, sign, held) then
+        local tk, tm = k + across, m + across
+        bearing[c] = sign
+        list.width[c] = min(from[tk] + size[tk], from[tm] + size[tm]) - max(from[tk], from[tm])
+        chooseSupport(b, list, k, c, m)
       end
-    end
-    bearing[c] = sign
-    if sign ~= 0 then
-      local tl, th = kl + other, kh + other
-      list.width[c] = min(from[tl] + size[tl], from[th] + size[th]) - max(from[tl], from[th])
-      chooseSupport(b, list, sign > 0 and kl or kh, c, sign > 0 and kh or kl)
     end
   end
 end

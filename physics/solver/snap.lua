@@ -13,7 +13,7 @@
 -- lowered onto the ground below, together with the objects that stand on it. It is lowered straight
 -- down, from the place where it ends, onto the first ground there is; so it passes through nothing.
 -- If it has run over several edges in the step, each edge may be as high as `snap`: the walk along
--- the ground is made again, with leave to drop that far at each edge (`reach`).
+-- the ground is made again, with leave to drop that far at each edge.
 --
 -- One pass is enough, because the lowest bodies come first: when a rider's turn comes, its support
 -- is in place. Heights are those of ground.
@@ -49,15 +49,6 @@ local function stands(b, i)
     and b.displacement[k] * b.down[k] >= 0
 end
 
--- Returns how low the ground may be for the listed body at x1, if that has come along the ground
--- from (x, height) and has dropped by at most `most` px at each edge.
-local function reach(b, x, x1, height, most)
-  local pieces = b.pieceCount
-  local _, last = walk.follow(b, x, x1, height, false, most)
-  b.pieceCount = pieces
-  return last + most
-end
-
 -- Puts slot i onto slot j, at a height, unless a rule or the game says that the two pass.
 local function put(b, i, j, k, turn, height)
   local m, place, v, a = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k]
@@ -86,7 +77,9 @@ local function lower(b, i, most)
   ground.list(b, i, x0, x, min(start, here), drop) -- (nudge may have lifted it)
   local j, height = ground.highest(b, x, here)
   if j ~= 0 and height > low + EPSILON then
-    low = reach(b, x0, x, start, most)
+    b.pieceCount = 0 -- no path follows the pieces any more
+    local _, last = walk.follow(b, x0, x, start, false, most)
+    low = last + most
   end
   local isLower = height > here + EPSILON and height <= low + EPSILON
   if j ~= 0 and isLower and not shapes.isRound[b.shape[j]] then
