@@ -5,8 +5,6 @@ local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local small = require("spec.support.small")
 
-local unpack = rawget(_G, "unpack") or rawget(table, "unpack")
-
 -- On a floor at y = 0, both ways.
 local LEVELS = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = { 0, 2 } }
 LEVELS.rate, LEVELS.broadphase = { 30, 60, 144, 240 }, { "grid" }
@@ -78,7 +76,7 @@ describe("friction: as by hand,", function()
     for n, row in ipairs(v.boxes) do
       list[n] = { 0, -16 * n, row[1], row[3], row[2], width = 200 }
     end
-    local all = on(1, unpack(list))
+    local all = on(1, small.unpack(list))
     all.gravity = 900
     return all
   end
@@ -141,7 +139,7 @@ describe("friction: as by hand,", function()
     for n = 1, v.high do
       list[n + 1] = { -8, -16 - 16 * n, 0.5, 120 }
     end
-    return on(nil, unpack(list))
+    return on(nil, small.unpack(list))
   end, {
     { 1, "a.x == -40" },
     "b.x ~ 10, 1e-2; b.vx == 0; (c or b).x ~ 10, 1e-2; (e or b).x ~ 10, 1e-2",
@@ -253,7 +251,7 @@ describe("friction: what is leaned on or pushed,", function()
     for n = 1, v.count do
       list[n + 1] = { 16, -16 * n, 0.5, 0, 1, width = 64 }
     end
-    return on(nil, unpack(list))
+    return on(nil, small.unpack(list))
   end
   play.row("{what}", LEVELS, pushed, { { time = "seconds" }, "{ends}" }, {
     "what, seconds, ends, count, vx, ax",
@@ -296,7 +294,7 @@ describe("friction: what is leaned on or pushed,", function()
   for n = 0, 8 do
     nine[n + 2] = { 16 * math.floor(n / 3), -16 - 16 * (n % 3), 0.5 }
   end
-  play.row("goes along in a row of stacks", LEVELS, on(nil, unpack(nine)), {
+  play.row("goes along in a row of stacks", LEVELS, on(nil, small.unpack(nine)), {
     1,
     "x, x2, x3 = b.x, d.x, j.x",
     2,

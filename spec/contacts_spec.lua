@@ -7,7 +7,6 @@ local scene = require("spec.support.scene")
 local small = require("spec.support.small")
 local variants = require("spec.support.variants")
 
-local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 local newBox, update = small.box, small.run
 
 local DT = 1 / 60
@@ -164,7 +163,7 @@ describe("restitution: a row of different masses", function()
     { { 100, 1, 100 }, 0.5, 0.9, 0 },
     { { 1, 0.01, 1, 0.01, 1 }, 0.5, 0.9, 0 },
   }) do
-    local masses, gap, restitution, least, first = unpack(given, 1, 5)
+    local masses, gap, restitution, least, first = small.unpack(given, 1, 5)
     local title = "%s, %g px apart, restitution %g: keeps momentum and energy"
     scene.it(title:format(table.concat(masses, ", "), gap, restitution), LEVELS, function(run)
       local description, energy = { gravity = 0 }, masses[1] * 400 * 400

@@ -45,7 +45,7 @@ local REFUSES = { mask = { men = true, floors = false } }
 local MACHINE = { kinematic = true }
 
 describe("checked", function()
-  for name, value in pairs({
+  small.each("refuses a static object with a changed {1}, until it is refreshed", {
     x = 5,
     y = 101,
     width = 201,
@@ -60,17 +60,15 @@ describe("checked", function()
     canCollide = print,
     onStay = print,
     static = false,
-  }) do
-    it("refuses a static object with a changed " .. name .. ", until it is refreshed", function()
-      local world, floor = newWorld()
-      floor[name] = value
-      local shown = tostring(value):gsub("^(%a+): .*", "%1"):gsub("^top$", '"top"')
-      refusesStep(world, "objects.floors[1]." .. name .. " was changed to " .. shown .. BY_HAND)
-      floor.onStay, floor.canCollide = nil, nil
-      world:refresh(floor)
-      world:update(DT)
-    end)
-  end
+  }, function(name, value)
+    local world, floor = newWorld()
+    floor[name] = value
+    local shown = tostring(value):gsub("^(%a+): .*", "%1"):gsub("^top$", '"top"')
+    refusesStep(world, "objects.floors[1]." .. name .. " was changed to " .. shown .. BY_HAND)
+    floor.onStay, floor.canCollide = nil, nil
+    world:refresh(floor)
+    world:update(DT)
+  end)
 
   it("lets a static object have what means nothing to it, such as a mass", function()
     local world, floor = newWorld()

@@ -410,7 +410,7 @@ describe("onBegin: the place of a contact", function()
   local GATE, FAST = { 100, 0, 4, 60, sensor = true }, { 0, 40, 10, 40, 9000 }
   local DOWN, UP = { 0, 0, 64, 64, slope = "left" }, { 0, 0, 64, 64, slope = "right" }
   local BOX = { 20, -60, 16, 16 }
-  for title, given in pairs({
+  small.each("is {1}, for both and for the world", {
     -- gravity, what is met (static), what moves: x, y, width, height, vx, vy; the place
     ["its edge"] = { 800, { 0, 100, 50, 16 }, { 42, 60, 16, 24 }, "bottom", 42, 100, 50, 100 },
     ["above"] = { 0, { 0, 0, 200, 30 }, { 40, 50, 16, 24, 0, -300 }, "top", 40, 30, 56, 30 },
@@ -422,38 +422,36 @@ describe("onBegin: the place of a contact", function()
     ["the other corner on the other slope"] = { 800, UP, BOX, "bottom", 36, 28, 36, 28 },
     ["where a circle touches a box"] = { 800, { 0, 20, 64, 64 }, BALL, "bottom", 28, 20, 28, 20 },
     ["where a circle touches a circle"] = { 800, ROUND, BALL, "bottom", RIM, LOW, RIM, LOW },
-  }) do
-    it("is " .. title .. ", for both and for the world", function()
-      local world, told, objects = physics.newWorld({ gravity = given[1] }), {}, {}
-      for n = 1, 2 do
-        local its = given[4 - n]
-        objects[n] = { x = its[1], y = its[2], width = its[3], height = its[4] }
-        objects[n].vx, objects[n].vy = its[5], its[6]
-        for _, name in ipairs({ "radius", "slope", "sensor", "restitution" }) do
-          objects[n][name] = its[name]
-        end
-        objects[n].static = n == 2
+  }, function(_, given)
+    local world, told, objects = physics.newWorld({ gravity = given[1] }), {}, {}
+    for n = 1, 2 do
+      local its = given[4 - n]
+      objects[n] = { x = its[1], y = its[2], width = its[3], height = its[4] }
+      objects[n].vx, objects[n].vy = its[5], its[6]
+      for _, name in ipairs({ "radius", "slope", "sensor", "restitution" }) do
+        objects[n][name] = its[name]
       end
-      for n, owner in ipairs({ objects[1], objects[2], world }) do
-        function owner.onBegin(...)
-          told[n] = told[n] or { ... }
-        end
+      objects[n].static = n == 2
+    end
+    for n, owner in ipairs({ objects[1], objects[2], world }) do
+      function owner.onBegin(...)
+        told[n] = told[n] or { ... }
       end
-      world:add("men", objects[1])
-      world:add("tiles", objects[2])
-      small.run(world, 60)
-      assert.equal(given[4], told[1][3])
-      for n = 1, 3 do
-        for k = 5, 8 do
-          assert.near(given[k], told[n][k], 1e-6)
-        end
-        -- For a grid of cells it is in the other object, when it is a wall.
-        local x, y, other = (told[n][5] + told[n][7]) / 2, (told[n][6] + told[n][8]) / 2, told[n][2]
-        assert.is_true(given[1] > 0 or n == 2 or other.x <= x and x < other.x + other.width)
-        assert.is_true(given[1] > 0 or n == 2 or other.y <= y and y < other.y + other.height)
+    end
+    world:add("men", objects[1])
+    world:add("tiles", objects[2])
+    small.run(world, 60)
+    assert.equal(given[4], told[1][3])
+    for n = 1, 3 do
+      for k = 5, 8 do
+        assert.near(given[k], told[n][k], 1e-6)
       end
-    end)
-  end
+      -- For a grid of cells it is in the other object, when it is a wall.
+      local x, y, other = (told[n][5] + told[n][7]) / 2, (told[n][6] + told[n][8]) / 2, told[n][2]
+      assert.is_true(given[1] > 0 or n == 2 or other.x <= x and x < other.x + other.width)
+      assert.is_true(given[1] > 0 or n == 2 or other.y <= y and y < other.y + other.height)
+    end
+  end)
 end)
 
 --   ####****

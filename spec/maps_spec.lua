@@ -201,7 +201,7 @@ describe("loadTiled: the name of a layer", function()
   -- The name of a layer, its properties, the options; the one-way side of its three parts: a tile
   -- that says nothing, one with a shape, a rectangle.
   local shape = { tiled.shapes(0, { tiled.object(1, 0, 0, 16, 8) }) }
-  for name, row in pairs({
+  small.each("{1} says on which side its walls are solid", {
     OneWayPlatforms = { {}, nil, "top top top" },
     ["Semi Solids"] = { {}, nil, "top top top" },
     one_way = { {}, nil, "top top top" },
@@ -209,21 +209,19 @@ describe("loadTiled: the name of a layer", function()
     ["oneway decor"] = { {}, nil, "none top none" },
     ["Stone Way Walls"] = { {}, nil, "false false false" },
     ["Oneway 2"] = { {}, { solidLayers = { 1, 2 } }, "false false false" },
-  }) do
-    it(name .. " says on which side its walls are solid", function()
-      local sides = {}
-      for i, part in ipairs({
-        tiled.tiles(1, name, { "5." }, { properties = row[1] }),
-        tiled.tiles(1, name, { "1." }, { properties = row[1] }),
-        tiled.objects(1, name, { newBox() }, { properties = row[1] }),
-      }) do
-        local other = tiled.tiles(2, "other", { "..." })
-        local wall = load(newMap({ part, other }, shape), row[2]).walls[1]
-        sides[i] = wall and tostring(wall.oneWay or false) or "none"
-      end
-      assert.equal(row[3], table.concat(sides, " "))
-    end)
-  end
+  }, function(name, row)
+    local sides = {}
+    for i, part in ipairs({
+      tiled.tiles(1, name, { "5." }, { properties = row[1] }),
+      tiled.tiles(1, name, { "1." }, { properties = row[1] }),
+      tiled.objects(1, name, { newBox() }, { properties = row[1] }),
+    }) do
+      local other = tiled.tiles(2, "other", { "..." })
+      local wall = load(newMap({ part, other }, shape), row[2]).walls[1]
+      sides[i] = wall and tostring(wall.oneWay or false) or "none"
+    end
+    assert.equal(row[3], table.concat(sides, " "))
+  end)
 
   it("is not among those of walls if its parts are sensors", function()
     local properties = { collidable = true, sensor = true }

@@ -285,20 +285,18 @@ polygon, one without area | walls | polygon 0 0 0 0 0,0 16,0 0,0
     known
   )
 
-  for name, row in pairs({
+  small.each("with a tile stand as the tileset says, {1}", {
     unspecified = { 100, 180 },
     topleft = { 100, 200 },
     topright = { 70, 200 },
     center = { 85, 190 },
     bottomright = { 70, 180 },
-  }) do
-    it("with a tile stand as the tileset says, " .. name, function()
-      local given = things({ tiled.object(1, 100, 200, 30, 20, { gid = 1, name = "tree" }) })
-      given.tilesets[1].objectalignment = name
-      local tree = load(given).objects[1]
-      assert.same(row, { tree.x, tree.y })
-    end)
-  end
+  }, function(name, row)
+    local given = things({ tiled.object(1, 100, 200, 30, 20, { gid = 1, name = "tree" }) })
+    given.tilesets[1].objectalignment = name
+    local tree = load(given).objects[1]
+    assert.same(row, { tree.x, tree.y })
+  end)
 end)
 
 describe("world:loadTiled, words", function()

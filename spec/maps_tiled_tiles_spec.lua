@@ -169,18 +169,16 @@ without fields that do not fit each other, which are named once | ground | #1.1 
 
   local triangle = { { x = 0, y = 0 }, { x = 0, y = -16 }, { x = 16, y = 0 } }
   local ramp = shape(0, 0, 16, 0, 0, { shape = "polygon", polygon = triangle })
-  for slope, flags in pairs({
+  small.each("with slopes that flip and turn with them: {1}", {
     left = { 0, T + X + Y },
     right = { X, T + Y },
     topleft = { Y, T + X },
     topright = { X + Y, T },
-  }) do
-    it("with slopes that flip and turn with them: " .. slope, function()
-      local legend = { a = 1 + flags[1], b = 1 + flags[2] }
-      local level = load(newMap({ "ab" }, nil, legend, { ramp }))
-      assert.same({ slope, slope }, { level.objects[1].slope, level.objects[2].slope })
-    end)
-  end
+  }, function(slope, flags)
+    local legend = { a = 1 + flags[1], b = 1 + flags[2] }
+    local level = load(newMap({ "ab" }, nil, legend, { ramp }))
+    assert.same({ slope, slope }, { level.objects[1].slope, level.objects[2].slope })
+  end)
 
   --- Each row: a picture, and the rectangles in tiles: column row columns rows.
   for _, row in ipairs({
@@ -316,7 +314,7 @@ describe("world:loadTiled, packed layers", function()
     assert.equal("! collision: encoded data (csv): " .. NEITHER .. CSV, show(load(map)))
   end)
 
-  for expected, row in pairs({
+  small.each("are refused: {1}", {
     ['data must be base64, got "AAA"'] = { packed(nil, "AAA") },
     ['data must be base64, got "AA$="'] = { packed(nil, "AA$=") },
     ["#data must be an integer in 288..288, got 0"] = { packed(nil, "") },
@@ -324,12 +322,10 @@ describe("world:loadTiled, packed layers", function()
     ["the cell at column 0, row 0 must be a gid of one of the tilesets, got 9999"] = {
       packed(nil, (PLAIN.layers[1].data:gsub("^AQAAAAAA", "DycAAAAA"))),
     },
-  }) do
-    it("are refused: " .. expected, function()
-      local words = 'world:loadTiled(map): layer "collision": ' .. expected
-      small.refuses(words, load, row[1], { decompress = row[2] })
-    end)
-  end
+  }, function(expected, row)
+    local words = 'world:loadTiled(map): layer "collision": ' .. expected
+    small.refuses(words, load, row[1], { decompress = row[2] })
+  end)
 
   it("that cannot be unpacked are named", function()
     pretend({ data = { decompress = error } })

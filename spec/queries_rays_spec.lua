@@ -4,8 +4,6 @@ local small = require("spec.support.small")
 
 local sized, still, tile = small.put, small.still, small.tile
 
-local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
-
 describe("raycast", function()
   -- One box from (10, 10) to (30, 20).
   small.rows("answers: {1}", {
@@ -49,7 +47,7 @@ describe("raycast", function()
       local world = still()
       local object = world:add("b", sized(10, 10, 20, 10, { static = static }))
       for _ = 1, 2 do
-        local hit, x, y, nx, ny, fraction = world:raycast(unpack(line))
+        local hit, x, y, nx, ny, fraction = world:raycast(small.unpack(line))
         assert.are.equal(expected and object, hit)
         if expected then
           assert.are.same(expected, { x, y, nx, ny, fraction })
@@ -57,7 +55,7 @@ describe("raycast", function()
             assert.is_true(number ~= 0 or 1 / number > 0) -- no negative zero
           end
         else
-          assert.are.equal(0, select("#", world:raycast(unpack(line))))
+          assert.are.equal(0, select("#", world:raycast(small.unpack(line))))
         end
         world:update(1 / 60) -- from here on its box has no margin
       end
@@ -224,7 +222,7 @@ describe("sweep", function()
   }, function(_, box, way, expected)
     for _, fields in ipairs({ {}, { static = true }, { kinematic = true } }) do
       local world, object, wall = scene(fields)
-      wall.x, wall.y, wall.width, wall.height = unpack(box)
+      wall.x, wall.y, wall.width, wall.height = small.unpack(box)
       world:refresh(wall)
       for i = 2, 60 do
         world:add("c", tile(100 * i, 20, 15, 15))

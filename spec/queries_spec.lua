@@ -9,8 +9,6 @@ local small = require("spec.support.small")
 
 local box, sized, still, tile = small.box, small.put, small.still, small.tile
 
-local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
-
 --- Names of the objects in a list, by their field `name`.
 local function names(list, count)
   local result = {}
@@ -82,9 +80,9 @@ describe("queryPoint, queryRect, querySegment and overlapping", function()
       end
       local expected = sideBySide and flush or plain
       local count = method == "queryPoint" and 4 or method == "overlapping" and 3 or 6
-      assert.are.equal(expected, names(world[method](unpack(args, 1, count))))
+      assert.are.equal(expected, names(world[method](small.unpack(args, 1, count))))
       args[count + 1] = out -- the list of an earlier call, filled to its end
-      assert.are.equal(out, (world[method](unpack(args, 1, count + 1))))
+      assert.are.equal(out, (world[method](small.unpack(args, 1, count + 1))))
       assert.are.equal(expected, names(out, #out))
     end
   end)

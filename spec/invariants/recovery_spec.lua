@@ -164,7 +164,7 @@ describe("update, save, add, raycast: after an object has failed", function()
     assert.is_true(#seen > 20, "accesses: " .. #seen)
   end)
 
-  for name, call in pairs({
+  small.each("inside {1}, nothing has changed", {
     save = function(scene)
       scene.world:save()
     end,
@@ -174,19 +174,17 @@ describe("update, save, add, raycast: after an object has failed", function()
     add = function(scene)
       scene.world:add("birds", newFailing({ x = 40, y = 0, width = 5, height = 5, gravity = 0 }))
     end,
-  }) do
-    it("inside " .. name .. ", nothing has changed", function()
-      failEverywhere(run(5), call, function(scene, what, ok)
-        local twin = newScene()
-        run(5)(twin)
-        if not ok then
-          assert.same(snapshot(twin), snapshot(scene), what)
-          assert.equal(twin.world:hash(), scene.world:hash(), what)
-        end
-        checkGoesOn(scene, what)
-      end)
+  }, function(_, call)
+    failEverywhere(run(5), call, function(scene, what, ok)
+      local twin = newScene()
+      run(5)(twin)
+      if not ok then
+        assert.same(snapshot(twin), snapshot(scene), what)
+        assert.equal(twin.world:hash(), scene.world:hash(), what)
+      end
+      checkGoesOn(scene, what)
     end)
-  end
+  end)
 
   it("inside restore, restoring again puts everything right #slow", function()
     local saved

@@ -91,6 +91,16 @@ function small.rows(title, rows, f)
   end
 end
 
+--- The same for values by name: f gets the name, `{1}`, and the value.
+---@param values table
+function small.each(title, values, f)
+  local rows = {}
+  for name, value in pairs(values) do
+    rows[#rows + 1] = { name, value }
+  end
+  small.rows(title, rows, f)
+end
+
 --- Returns rows for `small.rows`: each of a list with each of another one; rows lose a level.
 function small.cross(list, other)
   local rows = {}
