@@ -76,7 +76,7 @@ local function lower(b, i, most)
   ground.list(b, i, x0, x, min(start, here), drop) -- (nudge may have lifted it)
   local j, height = ground.highest(b, x, here)
   if j ~= 0 and height > low + EPSILON then
-    b.pieceCount = 0 -- no path follows the pieces any more
+    b.walkWork.count = 0 -- no path follows the pieces any more
     local _, last = walk.follow(b, x0, x, start, false, most)
     low = last + most
   end
