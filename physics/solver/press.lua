@@ -8,10 +8,11 @@
 -- by l n / m and `other` by -l n / m. A push is >= 0 in all, and is taken back where later ones
 -- prove it too much.
 --
---       ( )          1. PASSES over the rows, from below to above. The rows are the planes, and the
---      ( )( )           contacts along an axis of the same bodies.
---     ( )( )( )      2. Immovable bodies have the last word: each body ends at the nearest place in
---   ##############      front of all that stop it (`leaveWalls`), which passes reach slowly.
+--       ( )          1. PASSES over the rows, from below to above, those of immovable bodies last.
+--      ( )( )           Rows are the planes, and the contacts along an axis of the same bodies.
+--     ( )( )( )         A body goes no farther than FURTHEST in all (`limit`).
+--   ##############   2. Immovable bodies have the last word: each body ends at the nearest place in
+--                       front of all that stop it (`leaveWalls`), which passes reach slowly.
 --                    3. The same with the speeds, for the rows that touch at the end: they must not
 --                       close. The speed along the tangent is kept.
 --                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
