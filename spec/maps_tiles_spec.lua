@@ -191,6 +191,20 @@ describe("world:addTiles", function()
     assert.equal("120 -60 10 10; 130 -50 30 10", boxes(world))
   end)
 
+  it("unload() keeps the places of crates, which move by themselves, and shifts them", function()
+    local world = physics.newWorld()
+    local solid = { c = { static = false } }
+    local tiles = world:addTiles("crates", { "c.c" }, nil, 16, { solid = solid })
+    local crates = world.objects.crates
+    crates[1].vx = -60
+    run(world, 60)
+    tiles:unload()
+    world:shift(100, 0)
+    tiles:load()
+    assert.is_true(math.abs(crates[1].x - 40) < 1e-9)
+    assert.equal(132, crates[2].x)
+  end)
+
   -- Returns what digging cells of one row costs in so many rows, before the first update and after
   -- it, what the update costs after that beyond an idle one, what it costs to unload the next 10
   -- objects, and a row of all, and to dig when all are loaded again.

@@ -13,6 +13,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 local properties = require(root .. ".maps.properties")
 
 local max, min = math.max, math.min
+local NONE = {}
 
 local recall = {}
 
@@ -81,7 +82,7 @@ function recall.enter(world, layers, waiting)
   end
 end
 
---- Brings maps and tiles to where the world is now.
+--- Brings maps, and tiles with the objects that wait, to where the world is now.
 function recall.place(world)
   local maps, x, y = mapsOf(world), world._shiftedX, world._shiftedY
   local lists = { maps.here, maps.away }
@@ -90,6 +91,10 @@ function recall.place(world)
   end
   for _, list in ipairs(lists) do
     for _, part in next, list, nil do
+      local dx, dy = part._baseX + x - part.x, part._baseY + y - part.y
+      for object in next, part._isWaiting or NONE, nil do
+        object.x, object.y = object.x + dx, object.y + dy
+      end
       part.x, part.y = part._baseX + x, part._baseY + y
     end
   end

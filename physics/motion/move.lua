@@ -127,7 +127,7 @@ function move.run(b, dt)
   if b.hasLimits then
     forces.hinder(b, dt)
   end
-  if b.hasCarriers or b.driftedCount > 0 then
+  if b.hasCarriers or b.drifts then
     carry(b, dt)
   end
   if b.driftedCount > 0 then

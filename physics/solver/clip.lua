@@ -12,7 +12,8 @@
 --
 -- Where the box began the step, it was in the half-planes of all objects that stand still. So there
 -- always is such a point: objects that stand still do not crush the box, and it ends in none of
--- them. If two faces close on each other, the box is left to `squeeze` in settle.lua: machines do crush.
+-- them. If two faces close on each other, the box is left to `squeeze` in settle.lua: machines do
+-- crush.
 --
 -- A box that was clipped gives way nowhere in this step. Others that are in its way are clipped,
 -- too: it is a wall for them, but only towards the sides on which faces stop it.

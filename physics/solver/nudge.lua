@@ -40,7 +40,7 @@ end
 -- Returns whether slot i may go `distance` px along k, around a corner: no further than its
 -- `nudge`, not back against its own motion, and not towards a body that holds it in this step.
 local function mayGo(b, i, k, distance)
-  local motion = b.to[k] - b.from[k] - b.carried[k] * (1 - b.time[i]) * b.dt
+  local motion = b.to[k] - b.from[k] - (b.carried[k] - b.softSpeed[k]) * (1 - b.time[i]) * b.dt
   local isBack = (motion > EPSILON and distance < 0) or (motion < -EPSILON and distance > 0)
   local size, isHeld = max(distance, -distance), b.held[2 * k + (distance > 0 and 2 or 1)] > 0
   return size > EPSILON and size <= b.nudge[i] + EPSILON and not (isBack or isHeld)

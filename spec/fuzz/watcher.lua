@@ -199,7 +199,7 @@ function watcher.check(self, dt)
       end
     end
     local far = jumped(self, object, dt)
-    local isStill = isHeld
+    local isStill = self.held[object]
       and (isIn(object, game.solids, SEEN) or isIn(object, game.machines, SEEN))
     self.held[object] = isStill or nil
     if far > 0 and not (isHeld or self.was[object].isPressed) then

@@ -264,4 +264,24 @@ describe("onBegin and the others: after one has failed", function()
     -- Some of them are never called here.
     assert.is_true(failures > 0 or (name == "onEnd" and which ~= "b"), "failures: " .. failures)
   end)
+
+  it("canCollide, soft bodies that drift apart elsewhere do not keep their drift", function()
+    local world = physics.newWorld({ soft = { crowd = { crowd = 400 } } })
+    local a = world:add("crowd", small.box(0, 0))
+    local b = world:add("crowd", small.box(4, 0))
+    local fails = false
+    world:add("others", small.box(100, 0)).canCollide = function()
+      return not fails or error(FAILURE, 0)
+    end
+    local other = world:add("others", small.box(120, 0, { vx = -300 }))
+    world:update(DT)
+    fails = true
+    assert.is_false((pcall(world.update, world, DT)))
+    fails, a.x, b.x, other.x = false, -300, 300, 600
+    a.vx, b.vx = 0, 0
+    for _ = 1, 60 do
+      world:update(DT)
+    end
+    assert.same({ -300, 300 }, { a.x, b.x })
+  end)
 end)
