@@ -16,6 +16,7 @@ local jit = rawget(_G, "jit")
 local types = {} -- of the FFI
 -- The FFI, if there is one, and the compiler runs. Where there is no `jit`, it is not tried: on
 -- gopher-lua an error takes local variables away from the game, though it is caught.
+---@type boolean, any
 local isKnown, ffi = not jit, nil
 
 -- Columns are written side by side. With lengths of 2^n they would compete for the same few lines

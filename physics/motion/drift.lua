@@ -92,7 +92,7 @@ end
 local function list(b, work)
   local groups, n, from, size, fastest = b.registry.groups, 0, b.from, b.size, 0.0
   local sum, wide, high = 0.0, 0.0, constants.TINY
-  local name, row, most
+  local name, row, most = nil, nil, 0.0
   for m = 1, b.moverCount do
     local i = b.movers[m]
     if b.groupName[i] ~= name then
