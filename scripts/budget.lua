@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 631 },
   { "physics/contacts", 384 },
   { "physics/fields", 686 },
-  { "physics/maps", 2479 },
+  { "physics/maps", 2480 },
   { "physics/memory", 858 },
   { "physics/motion", 999 },
   { "physics/narrowphase", 568 },
