@@ -117,7 +117,7 @@ end
 local function addRoom(b, i)
   local room, walls = b.clipWork.room, b.clipWork.wall
   for _, j, p in neighbours(b, i) do
-    local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and counting < FIXED
+    local isContact = b.touches[p] > APART and b.touches[p] ~= SLANTED and counting < FIXED
     if isContact and not touch.haveFaces(b, i, j) then
       local kl, separation = b.bodyOf[2 * p], b.separation[p]
       local axis, isLow = kl % 2, floor(kl * 0.5) == i
@@ -261,7 +261,7 @@ end
 -- Whether box i and slot j, of pair p, are in each other, and one of them was clipped.
 local function areCaught(b, p, i, j)
   local isClipped = b.kind[j] == DYNAMIC and (b.give[2 * i] == 0 or b.give[2 * j] == 0)
-  return isClipped and b.touches[p] ~= APART and boxes.gap(b, b.to, i, j) < -EPSILON
+  return isClipped and b.touches[p] > APART and boxes.gap(b, b.to, i, j) < -EPSILON
 end
 
 -- Returns whether box i has a slope beside it, and is in that, or squeezed.
@@ -301,7 +301,7 @@ end
 -- Returns whether a body near slot i, with which that is no contact, was clipped in this round.
 local function isBesideClipped(b, i)
   for _, j, p in neighbours(b, i) do
-    if b.touches[p] == APART and b.inRound[j] == b.roundStamp then
+    if b.touches[p] <= APART and b.inRound[j] == b.roundStamp then
       return true
     end
   end

@@ -21,6 +21,7 @@ local ball = require(root .. ".narrowphase.ball")
 local boxes = require(root .. ".space.boxes")
 local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
+local crowd = require(root .. ".overlaps.crowd")
 local heap = require(root .. ".overlaps.heap")
 local impact = require(root .. ".solver.impact")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -236,18 +237,18 @@ end
 --- next time, since that turns them first.
 function slant.find(b, isFirst)
   pairFinder.run(b, b.awakeList, b.awakeCount, pairFinder.REACH)
-  contacts.noteNew(b)
-  local apart, touches, pairA, pairB, hasNew = b.apart, b.touches, b.pairA, b.pairB, false
+  local live, touches, pairA, pairB, hasNew = b.live, b.touches, b.pairA, b.pairB, false
   local s, stamp, leansAt = b.slants, b.solveStamp, b.slants.leansAt
   if isFirst then
     markLeaning(b)
   end
   s.stamp = s.stamp + 1
-  for n = 1, b.apartCount do
-    local p = apart[n]
+  for n = 1, b.liveCount do
+    local p = live[n]
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
-    if touches[p] == APART and not waits and mayPress(b, i, j) and findPair(b, p) then
+    local isOpen = touches[p] == APART and not (waits or b.hasOverlaps and crowd.isGhost(b, i, j))
+    if isOpen and mayPress(b, i, j) and findPair(b, p) then
       hasNew = true
     end
   end
