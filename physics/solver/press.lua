@@ -64,14 +64,11 @@ local ROOM = 0.1
 
 -- Rows --------------------------------------------------------------------------------------------
 
--- Puts the planes in order: from below to above, then in the order of the world.
-local function arrange(b)
-  local s, base = b.slants, b.slants.base
-  for c = s.kept + 1, s.count do
-    base[c] = c
-  end
-  s.kept = s.count
-  sort.by(base, s.count, s.height, s.first, s.second)
+-- Adds s.new[1..added] to the rows in list[1..count], in order: from below to above, then in the
+-- order of the world.
+local function merge(s, list, count, added)
+  sort.by(s.new, added, s.height, s.first, s.second)
+  sort.merge(list, count, s.new, added, s.height, s.first, s.second)
 end
 
 -- Returns by how much the bodies of row c end nearer to each other than they may be, px.
@@ -113,11 +110,6 @@ local function spread(b, ofAll)
   heap.spread(b, s.mark, s.stamp)
 end
 
-local function addRow(s, c)
-  s.rows = s.rows + 1
-  s.order[s.rows] = c
-end
-
 -- Adds a contact along an axis as row c, if it presses a marked body. Returns whether it does.
 local function addContact(b, list, n, c)
   local s, kl, kh, axis = b.slants, list.low[n], list.high[n], list.axis
@@ -132,7 +124,7 @@ local function addContact(b, list, n, c)
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
   s.push[c], s.impulse[c], s.start[c], s.slop[c] = 0.0, 0.0, 0.0, EPSILON
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
-  addRow(s, c)
+  s.new[c - s.count] = c
   return true
 end
 
@@ -141,12 +133,17 @@ end
 local function listRows(b, ofAll)
   local s, last = b.slants, b.slants.count
   s.rows, s.stamp = 0, s.stamp + 1
-  arrange(b)
+  for c = s.kept + 1, s.count do
+    s.new[c - s.kept] = c
+  end
+  merge(s, s.base, s.kept, s.count - s.kept)
+  s.kept = s.count
   spread(b, ofAll)
   for n = 1, s.count do
     local c = s.base[n]
     if s.mark[s.one[c]] == s.stamp or s.mark[s.other[c]] == s.stamp then
-      addRow(s, c)
+      s.rows = s.rows + 1
+      s.order[s.rows] = c
     end
   end
   for axis = 0, 1 do
@@ -154,7 +151,8 @@ local function listRows(b, ofAll)
       last = addContact(b, b.contacts[axis], n, last + 1) and last + 1 or last
     end
   end
-  sort.by(s.order, s.rows, s.height, s.first, s.second)
+  merge(s, s.order, s.rows, last - s.count)
+  s.rows = s.rows + last - s.count
 end
 
 -- Passes ------------------------------------------------------------------------------------------
@@ -434,7 +432,6 @@ function press.finish(b)
   elseif press.isNeeded(b, true) then
     press.run(b, true)
   end
-  arrange(b)
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
     if s.isFlush[c] then
