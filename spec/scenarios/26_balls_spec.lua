@@ -437,6 +437,27 @@ describe("radius, strength and mass: a round player", function()
   end)
 end)
 
+--     [ enemy ][P]       P presses an enemy onto the stone, others come from the left. The enemy
+--    (enemy)[ enemy ]    has room only where it comes from.
+--                 (stone)
+it("radius and strength: what has no room between a player and a stone does not shoot out", function()
+  local world, list = physics.newWorld({ gravity = 0 }), {}
+  world:add("pillars", tile(32, 61, 20, 20, { radius = 10 }))
+  list[1] = world:add("boxes", small.put(9, 2.6, 20, 20))
+  list[2] = world:add("boxes", small.put(19.2, 41.3, 20, 20))
+  list[3] = world:add("boxes", ball(14.2, 32.6, 10))
+  list[4] = world:add("players", small.put(24.4, 25.3, 16, 16, { strength = 1 }))
+  for _ = 1, 3 do
+    for n, row in ipairs({ { 50, 74 }, { 28, -84 }, { 88, 12 }, { 0, 80 } }) do
+      list[n].vx, list[n].vy = row[1], row[2]
+    end
+    world:update(1 / 120)
+    for _, one in ipairs(list) do -- (600 px/s)
+      assert.is_true(one.vx * one.vx + one.vy * one.vy < 150 * 150, one.vx .. ", " .. one.vy)
+    end
+  end
+end)
+
 --   _______________
 --   '-.     kinematic, down
 --   .-'-(_)-----        The two faces meet far away on the left: the nearest place in front of both
