@@ -437,6 +437,23 @@ describe("radius, strength and mass: a round player", function()
   end)
 end)
 
+--    [pillar]
+--      <-(_)       Both go to the left, a hair in each other: nothing holds one of them.
+--     <-(_)
+--    _________
+it("radius and restitution: two that go under a pillar are not crushed", function()
+  local world, told = physics.newWorld({ gravity = 0 }), 0
+  world:add("walls", tile(0, 49, 14, 14))
+  world:add("walls", tile(-150, 100, 300, 20))
+  world:add("balls", ball(10.444, 73, 10, { vx = -60, restitution = 0.5 }))
+  world:add("balls", ball(4.367, 91, 9, { vx = -58, restitution = 0.5, mass = 3 }))
+  function world.onCrush()
+    told = told + 1
+  end
+  world:update(1 / 30)
+  assert.equal(0, told)
+end)
+
 --     [ enemy ][P]       P presses an enemy onto the stone, others come from the left. The enemy
 --    (enemy)[ enemy ]    has room only where it comes from.
 --                 (stone)
