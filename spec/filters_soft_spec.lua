@@ -69,8 +69,7 @@ describe("soft: objects", function()
     local world, a, b = pair({ vx = 30, vy = -7 }, { vx = 30, vy = -7 })
     run(world, 20)
     for _, object in ipairs({ a, b }) do
-      assert.equal(30, object.vx)
-      assert.equal(-7, object.vy)
+      assert.same({ 30, -7 }, { object.vx, object.vy })
     end
     assert.is_true(b.x - a.x > 14)
   end)
@@ -98,9 +97,7 @@ describe("soft: objects", function()
     end
     local world, a, b = pair({ onBegin = hear, onStay = hear, onEnd = hear })
     run(world, 30)
-    assert.equal(0, heard)
-    assert.is_false(a.touching.right)
-    assert.equal(0, world.stats.contacts)
+    assert.same({ 0, false, 0 }, { heard, a.touching.right, world.stats.contacts })
     assert.is_nil(world:touching(a, b))
     assert.equal(
       "objects.enemies[1] and objects.enemies[2] never collide:"
@@ -171,8 +168,7 @@ describe("soft: objects", function()
     }) do
       local world, a, b = pair(nil, fields)
       run(world, 10)
-      assert.equal(100, a.x)
-      assert.equal(110, b.x)
+      assert.same({ 100, 110 }, { a.x, b.x })
     end
   end)
 

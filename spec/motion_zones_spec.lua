@@ -222,8 +222,7 @@ describe("area: a zone", function()
       world:update(DT)
       other:update(DT)
     end
-    assert.are.equal(world:hash(), other:hash())
-    assert.are.equal(object.y, other.objects.bodies[1].y)
+    assert.same({ world:hash(), object.y }, { other:hash(), other.objects.bodies[1].y })
     saved.fields.area[2][1] = "wind"
     assert.is_false((pcall(other.restore, other, saved)))
   end)

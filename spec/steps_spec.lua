@@ -116,8 +116,7 @@ describe("timestep", function()
     assert.equal(0.5, world.alpha)
     assert.equal(x, (world:interpolate(box)))
     world:update(0.125)
-    assert.equal(20, box.x)
-    assert.equal(0, world.alpha)
+    assert.same({ 20, 0 }, { box.x, world.alpha })
   end)
 end)
 
@@ -244,8 +243,7 @@ describe("onStep:", function()
         world:update(1 / 144)
         assert.is_true(jumps == (frame < 102 and jumps or 1) and jumps <= 1)
       end
-      assert.equal(1, jumps)
-      assert.equal(76, man.y)
+      assert.same({ 1, 76 }, { jumps, man.y })
     end
   end)
 

@@ -83,8 +83,7 @@ describe("a review has found that", function()
     end
     local boxes = play(0)
     for n, box in ipairs(play(800)) do
-      assert.equal(boxes[n].x, box.x)
-      assert.equal(boxes[n].y, box.y)
+      assert.same({ boxes[n].x, boxes[n].y }, { box.x, box.y })
     end
   end)
 end)

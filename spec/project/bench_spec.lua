@@ -167,8 +167,7 @@ it("a measurement plays all frames, and finds the overlap of every tenth", funct
     return world.objects[index].x, 0
   end
   local result = measure.times(engine, newScene({ worlds = 2, steps = 20 }), 60)
-  assert.equal(20, result.steps)
-  assert.is_false(result.isLimited)
+  assert.same({ 20, false }, { result.steps, result.isLimited })
   assert.truthy(result.median <= result.p99 and result.p99 <= result.worst)
   local moving = newScene({ worlds = 1, warmUp = 2, steps = 20 })
   moving.frame = function(world)

@@ -65,8 +65,7 @@ describe("x and y: a knot", function()
     closet.one.x = 5
     play(closet.world, 1)
     assert.is_true(overlap(closet.one, closet.two) < 0)
-    assert.equal(5, closet.one.x)
-    assert.equal(0, closet.one.y)
+    assert.same({ 5, 0 }, { closet.one.x, closet.one.y })
   end)
 
   it("wakes when the game gives one of it a velocity, and rests again", function()
