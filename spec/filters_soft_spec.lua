@@ -281,30 +281,6 @@ describe("soft: a crowd", function()
       assert.is_true(turns / (20 * 120) < 0.02)
     end)
   end
-
-  it("of boxes and circles is never in a player with strength that walks through it", function()
-    for seed = 2, 3 do
-      local random, world = newRandom(seed), newWorld({ enemies = { enemies = 300 } })
-      local player = world:add("players", box(0, 0, { strength = 1, mass = 10 }))
-      for n = 1, 60 do
-        local angle, far, size =
-          random:between(0, 6.28), random:between(40, 140), random:between(14, 20)
-        local x, y = far * math.cos(angle), far * math.sin(angle)
-        local fields = { radius = n % 3 == 0 and size / 2 or nil }
-        local left, top = x + 10 - size / 2, y + 10 - size / 2
-        world:add("enemies", small.put(left, top, size, size, fields))
-      end
-      for frame = 1, 400 do
-        local way = math.floor(frame / 45) % 4
-        player.vx, player.vy = ({ 80, 0, -80, 0 })[way + 1], ({ 0, 80, 0, -80 })[way + 1]
-        steer(world.objects.enemies, player, 75)
-        world:update(DT)
-        for _, enemy in ipairs(world.objects.enemies) do
-          assert.is_true(overlap.depth(player, enemy) < 0.02)
-        end
-      end
-    end
-  end)
 end)
 
 it("soft: the setting must name groups of the world, if that is checked", function()

@@ -377,38 +377,6 @@ describe("world:addTiles", function()
 
   -- Rollback --------------------------------------------------------------------------------------
 
-  it("goes back with the world, to what stood there then", function()
-    local tiles, world = add({ "###", "###" })
-    local box = world:add("boxes", { x = 12, y = -8, width = 6, height = 8 })
-    run(world, 30)
-    local whole = world:save()
-    tiles:setTile(2, 1, 0)
-    local hole = world:save()
-    run(world, 30)
-    assert.equal(2, box.y)
-    world:restore(whole)
-    assert.same({ "#", "0 0 30 20" }, { tiles:getTile(2, 1), boxes(world) })
-    assert.same({ 6, 1 }, { tiles.tiles, tiles.rectangles })
-    run(world, 30)
-    assert.equal(-8, box.y)
-    world:restore(hole)
-    assert.equal(0, tiles:getTile(2, 1))
-    tiles:setTile(2, 2, 0)
-    assert.equal("0 0 10 20; 20 0 10 20", boxes(world))
-    tiles:unload()
-    tiles:setTile(1, 1, 0)
-    world:restore(whole) -- what waits is there again
-    assert.same({ "#", 0, "0 0 30 20" }, { tiles:getTile(1, 1), tiles:load(), boxes(world) })
-    tiles:unload()
-    local gone = world:save()
-    tiles:load()
-    world:restore(gone)
-    assert.same(
-      { "#", "", 0, "0 0 30 20" },
-      { tiles:getTile(1, 1), boxes(world), tiles:load(), boxes(world) }
-    )
-  end)
-
   -- Coming and going ------------------------------------------------------------------------------
 
   it("comes and goes, some at a time, in order", function()

@@ -238,18 +238,6 @@ describe("area: a zone", function()
     assert.are.same({ 0, 30 }, { other:velocity(other.objects.bodies[1]) })
   end)
 
-  it("comes from Tiled, as a class", function()
-    local world = physics.newWorld()
-    local object = { id = 1, x = 0, y = 0, width = 64, height = 32, shape = "rectangle" }
-    object.properties = { sensor = true, static = true, area = { gravity = 50, law = "linear" } }
-    local map = { orientation = "orthogonal", width = 4, height = 4, tilewidth = 16 }
-    map.tileheight, map.tilesets = 16, {}
-    map.layers = { { type = "objectgroup", name = "zones", objects = { object } } }
-    assert.are.same({}, world:loadTiled(map).unsupported)
-    assert.are.same({ gravity = 50, law = "linear" }, world.objects.zones[1].area)
-    world:update(DT)
-  end)
-
   it("is told by explain", function()
     local world, its, object = newWorld({ ax = 1 })
     local text = world:explain(object, its)

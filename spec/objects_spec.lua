@@ -270,21 +270,4 @@ describe("remove: what is gone", function()
     local kept = garbage.kept(fillAndEmpty, 2, 6) / (6 * 500)
     assert.is_true(kept <= 10, ("%.0f bytes of each are left"):format(kept))
   end)
-
-  it("lets what stood on it fall, all at once", function()
-    local world, crates = physics.newWorld({ gravity = 800 }), {}
-    for i = 0, 199 do
-      world:add("tiles", { x = 16 * i, y = 100, width = 16, height = 16, static = true })
-    end
-    for i = 1, 100 do
-      crates[i] = world:add("crates", { x = 30 * i, y = 84, width = 16, height = 16 })
-    end
-    run(world, 10)
-    world.objects.tiles = nil
-    run(world, 30, 60, function(step)
-      for _, crate in ipairs(crates) do
-        assert.near(84 + 400 * (step / 60) ^ 2, crate.y, 1e-9)
-      end
-    end)
-  end)
 end)

@@ -191,26 +191,6 @@ describe("examples/kit/netplay.lua: a message", function()
     end)
   end)
 
-  it("of an older round is left aside", function()
-    local match = newMatch(0, 0)
-    match[2]:join()
-    match.play(60)
-    local late
-    match[2].send = function(text)
-      late = text
-    end
-    for _ = 1, 6 do
-      match[2]:update(FRAME, 0) -- it is ahead, with keys of steps to come
-    end
-    match[2].send = function(text)
-      match[1]:receive(text)
-    end
-    match[2]:join()
-    local known = match[1].known[2]
-    match[1]:receive(late)
-    assert.equal(known, match[1].known[2])
-  end)
-
   it("that is reliable comes once, and in order; another one may get lost", function()
     local got = {}
     local wire = line.to(function(text)

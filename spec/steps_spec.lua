@@ -247,16 +247,6 @@ describe("onStep:", function()
     end
   end)
 
-  small.rows("drives a lift to its goal by (goal - y) / dt, {1} Hz", { 144, 60, 25 }, function(rate)
-    local world = physics.newWorld({ timestep = 1 / 60 })
-    local lift = world:add("lifts", { x = 0, y = 0, width = 8, height = 8, kinematic = true })
-    function world.onStep(step)
-      lift.vy = (100 - lift.y) / step
-    end
-    update(world, 20, rate)
-    assert.near(100, lift.y, 1e-9)
-  end)
-
   it("may add and remove, and an error in it leaves the step to the next update", function()
     local world, steps = physics.newWorld({ timestep = 1 / 60, gravity = 0 }), 0
     local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 60 })
