@@ -217,6 +217,17 @@ without fields that do not fit each other, which are named once | ground | #1.1 
     assert.same({ 4, 1, nil }, { level.tiles, level.rectangles, level.objects[1].tiled.gid })
   end)
 
+  it("are refused behind the last tileset, in whichever order the map lists them", function()
+    local first = tiled.tileset({}, { tilecount = 4 })
+    local second = tiled.tileset({}, { firstgid = 5, tilecount = 4 })
+    for _, sets in ipairs({ { first, second }, { second, first } }) do
+      local map = tiled.map(sets, { tiled.tiles(1, "ground", { "1589" }) })
+      local isRead, message = pcall(load, map)
+      assert.is_false(isRead)
+      assert.truthy(message:find("must be a gid of one of the tilesets, got 9", 1, true))
+    end
+  end)
+
   --- One rectangle in a tile, 2 px from the left, 3 px from the top, 4 px wide, 8 px high, in all
   --- the ways in which the editor turns tiles (keys X, Y and Z); and tiles of 24 x 40 px, which
   --- stand on the lower left corner of their cell.
