@@ -35,7 +35,7 @@ end
 -- the step begins and when it ends, and where they end. (One pass, with both axes written out:
 -- without a compiler that is half of the work for a body that meets nothing.)
 local function fly(b, dt)
-  local list, kind, isFree, air, drag = b.awakeList, b.kind, b.isFree, b.flowAir, b.flowDrag
+  local list, kind, isFree, air, brake = b.awakeList, b.kind, b.isFree, b.flowAir, b.flowDrag
   local velocity, pull, push, from, origin = b.velocity, b.flowPull, b.push, b.from, b.origin
   local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
   local to, displacement, accel, give, inverseMass =
@@ -47,7 +47,7 @@ local function fly(b, dt)
     origin[k], origin[m], give[k], give[m] = x, y, inverse, inverse
     if kind[i] == DYNAMIC then
       local startX, startY = velocity[k], velocity[m]
-      if isFree[i] and air[i] == 0 and drag[i] == 0 then
+      if isFree[i] and air[i] == 0 and brake[i] == 0 then
         -- (The usual case, without a call: `path.pullOf` is written out here, pull + push.)
         local endX, endY = startX + (pull[k] + push[k]) * dt, startY + (pull[m] + push[m]) * dt
         speed[k], speed[m] = endX, endY
