@@ -59,6 +59,17 @@ describe("radius: a ball", function()
     near(92 - 0.8 * 192 - 10, object.y, 1e-6)
   end)
 
+  -- It touches as the step begins: it is no contact that holds.
+  it("bounces off a stone that it touches slanted, with gravity", function()
+    local world, side = physics.newWorld({ gravity = 600 }), 10 * math.sqrt(2)
+    world:add("stones", ball(0, 0, 10, { static = true }))
+    local object = ball(side, -side, 10, { vx = -90, vy = 90, restitution = 1 })
+    world:add("balls", object)
+    world:update(1 / 60)
+    near(90, object.vx)
+    near(-80, object.vy)
+  end)
+
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
       local world = physics.newWorld({ gravity = 0 })
