@@ -68,8 +68,15 @@ local function isIn(object, list, gap)
   return false
 end
 
--- Returns whether an object touches a slope (which need not be its widest neighbour on a side).
+local function isSlope(object)
+  return object and object.slope
+end
+
+-- Returns whether an object touches a slope, which need not be its widest neighbour on a side.
 local function isOnSlope(object, solids)
+  if isSlope(object.touching.top) or isSlope(object.touching.bottom) then
+    return true
+  end
   for _, solid in ipairs(solids) do
     if solid.slope and overlap.depth(object, solid) > -SEEN then
       return true
@@ -200,7 +207,9 @@ function watcher.check(self, dt)
   end
   for n, object in ipairs(game.movers) do
     -- It may be pressed into something, and is sent elsewhere; a ball shoots out of a vice.
-    local isHeld = self.held[object] or object.radius and isIn(object, game.machines, SEEN)
+    local isHeld = self.held[object]
+      or self.was[object].isSqueezed
+      or object.radius and isIn(object, game.machines, SEEN)
     if not isHeld and isLost(object, game.room) then
       return "lost", ("%d is at %g, %g"):format(n, object.x, object.y)
     end
