@@ -239,7 +239,7 @@ local function block(b, i, n)
   local across = t == 0 and nx[n] or ny[n]
   if across ~= 0 then
     local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
-    b.pressedSide[at], b.blockedCount = true, b.blockedCount + 1
+    b.pressedAt[at], b.blockedCount = b.solveStamp, b.blockedCount + 1
     work.blocked[b.blockedCount], work.blockedBy[b.blockedCount] = at, wall[n]
   end
 end
@@ -261,7 +261,7 @@ local function put(b, i, x, y)
   for n = 1, planes.count do
     stop(b, k, nx[n])
     stop(b, k + 1, ny[n])
-    b.pressedSide[4 * i + side[n]] = true
+    b.pressedAt[4 * i + side[n]] = b.solveStamp
     if planes.count == 2 then
       block(b, i, n)
     end

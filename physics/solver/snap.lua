@@ -75,7 +75,7 @@ local function put(b, i, j, k, turn, height)
     path.finish(b, k, place, v, a)
     return
   end
-  b.pressedSide[2 * k + (turn > 0 and 2 or 1)] = true
+  b.pressedAt[2 * k + (turn > 0 and 2 or 1)] = b.solveStamp
   yielding.leanOn(b, k, m, -turn)
   b.snaps.lowered[i] = (b.to[k] - place) * turn
 end
