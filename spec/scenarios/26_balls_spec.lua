@@ -404,7 +404,7 @@ end)
 --     [ enemy ][P]       P presses an enemy onto the stone, others come from the left. The enemy
 --    (enemy)[ enemy ]    has room only where it comes from.
 --                 (stone)
-it("radius and strength: what has no room between a player and a stone does not shoot out", function()
+it("radius and strength: what has no room between player and stone does not shoot out", function()
   local world, list = physics.newWorld({ gravity = 0 }), {}
   world:add("pillars", tile(32, 61, 20, 20, { radius = 10 }))
   list[1] = world:add("boxes", small.put(9, 2.6, 20, 20))
