@@ -285,8 +285,7 @@ describe("world:loadTiled, packed layers", function()
     -- 65537 is 01 00 01 00
     local map = newMap({ "." }, { encoding = "base64" }, nil, nil, { firstgid = 65537 })
     map.layers[1].data = "AQABAA=="
-    assert.equal(1, (load(map)).tiles)
-    assert.equal(65537, (load(map)).tileLayers.ground:getTile(0, 0))
+    assert.same({ 1, 65537 }, { (load(map)).tiles, (load(map)).tileLayers.ground:getTile(0, 0) })
   end)
 
   it("that are compressed are unpacked by the option, or by LÖVE, or named", function()
@@ -402,8 +401,7 @@ describe("world:loadTiled, tilesets in files of their own", function()
     assert.equal(1, (load(newLand("earth.lua"), { folder = "sets" })).tiles)
     load(newLand("../earth.lua"), { folder = "" })
     assert.same({ "sets/earth.lua", "sets/earth.lua", "../earth.lua" }, asked)
-    assert.equal(1, #load("sets/map.lua").points)
-    assert.is_false((pcall(load, "maps/map.lua")))
+    assert.same({ 1, false }, { #load("sets/map.lua").points, (pcall(load, "maps/map.lua")) })
   end)
 
   it("are named if they cannot be had, and then a layer can still be solid", function()
