@@ -11,20 +11,20 @@ local files = require("spec.support.files")
 local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 631 },
-  { "physics/contacts", 384 },
-  { "physics/fields", 686 },
-  { "physics/maps", 2480 },
-  { "physics/memory", 858 },
-  { "physics/motion", 999 },
+  { "physics/contacts", 381 },
+  { "physics/fields", 677 },
+  { "physics/maps", 2481 },
+  { "physics/memory", 853 },
+  { "physics/motion", 1001 },
   { "physics/narrowphase", 568 },
   { "physics/objects", 1298 },
   { "physics/overlaps", 838 },
   { "physics/queries", 982 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3442 },
+  { "physics/solver", 3443 },
   { "physics/space", 500 },
-  { "physics/state", 1047 },
-  { "physics/world", 1365 },
+  { "physics/state", 1041 },
+  { "physics/world", 1364 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

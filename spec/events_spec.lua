@@ -385,21 +385,6 @@ describe("onBegin: a spike that", function()
       end
     end)
   end
-
-  it("is put into a man that flies on tells begin and end", function()
-    local world, told = physics.newWorld({ gravity = 0 }), {}
-    local man = world:add("men", newBox(0, 0, { vx = 300 }))
-    function world.onBegin(_, _, side, speed)
-      told[#told + 1] = ("%s %g"):format(side, speed)
-    end
-    function world.onEnd(_, _, side)
-      told[#told + 1] = side
-    end
-    small.run(world, 2)
-    world:add("spikes", small.tile(man.x - 10, 0, 16, 16))
-    small.run(world, 2)
-    assert.same({ "left 0", "left" }, told)
-  end)
 end)
 
 describe("onBegin: the place of a contact", function()

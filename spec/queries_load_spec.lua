@@ -160,8 +160,7 @@ describe("world:load", function()
     world:add("crates", newBox(0, 84, { mass = 3 }))
     run(world, 60)
     for _ = 1, 2 do
-      assert.are.equal(600, world:load(scale).top)
-      assert.are.equal(90, world:load(wall).left)
+      assert.same({ 600, 90 }, { world:load(scale).top, world:load(wall).left })
       local other = physics.newWorld()
       other:restore(world:save())
       world, scale, wall = other, other.objects.grounds[1], other.objects.walls[1]

@@ -38,7 +38,7 @@ end
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
-  if b.deepIn[p] == b.solveStamp then
+  if b.deepWay[p] ~= 0 then
     b.wedged[p] = b.deepWay[p]
     return
   end

@@ -285,7 +285,6 @@ local function restoreMemory(b, st, objects)
   end
   for n = 1, #slots do
     local i = slots[n]
-    b.fresh[i] = false
     islands.wake(b, i)
     boxes.stand(b, i)
     if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
@@ -336,8 +335,7 @@ local function restoreEvents(b, st, objects)
       e[VALUES[m]][n] = list[at + 2 + m]
     end
   end
-  e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
-  e.sorted = max(st.sorted or 0, e.told)
+  e.count, e.sorted, e.told, e.heardBy = n, n, st.heardBy and 1 or 0, st.heardBy or 3
 end
 
 --- Brings a world back to the moment at which `st` was saved. Returns the sentence of `misfit`, or

@@ -172,29 +172,6 @@ describe("slope: hills at random", function()
     end
   end)
 
-  it("let no body in deeper than rounding while nothing presses it", function()
-    for seed = 1, effort.share(40, 8) do
-      local random = newRandom(seed)
-      local list, pieces = buildHills(random, 0, 0)
-      local world = physics.newWorld({ gravity = 800 })
-      for _, object in ipairs(list) do
-        world:add("ground", object)
-      end
-      local width = random:integer(6, 40)
-      local body = { width = width, height = HEIGHT, x = pieces[9][1], nudge = 0 }
-      body.y = topBelow(pieces, body.x, width) - HEIGHT - random:between(0, 200)
-      world:add("players", body)
-      for n = 1, 240 do
-        if n % 30 == 0 then
-          body.vx, body.vy = random:between(-500, 500), -random:between(0, 600)
-        end
-        world:update(1 / 60)
-        local off = body.y + HEIGHT - topBelow(pieces, body.x, width)
-        assert.is_true(off <= 1e-6, ("seed %d, step %d: %g px deep"):format(seed, n, off))
-      end
-    end
-  end)
-
   -- Queries -------------------------------------------------------------------------------------
 
   --- Whether a point is in a slope, by the sides of its three edges; px to the nearest edge, too.
