@@ -240,8 +240,8 @@ describe("radius: a heap of balls", function()
     assert.is_true(depths(world.objects.balls, 340) < 0.1)
   end)
 
-  -- (Columns of boxes at a wall went to and fro for ever, since what began the step elsewhere counted
-  -- from where the world has its zero point.)
+  -- (Columns of boxes at a wall went to and fro for ever, since that wall counted as coming from
+  -- where the world has its zero point.)
   for _, at in ipairs({ -3000, 0, 3000 }) do
     it(("and boxes comes to rest wherever it is: %d"):format(at), function()
       local world = physics.newWorld({ gravity = 800 })
