@@ -450,4 +450,22 @@ describe("friction: of a stack", function()
       crate("c", 70.8, 59, 8, 8),
     }
   end, { 0.5, "c.y == 72" }, { "belt", { 0 }, { 30 }, { 140 } })
+
+  --          |#     what the belt gives it, and the wall takes off again, is no load
+  --   [ man ]|#
+  --   -------- ->
+  play.row("hinders no jump: off a belt at {belt} px/s that presses to a wall", THIRTY, function(v)
+    local belt = { static = true, friction = 0.9, surfaceSpeed = v.belt }
+    return {
+      gravity = 900,
+      scene.maker("belts", belt)("belt", 0, 200, 100, 12),
+      scene.maker("walls", { static = true })("wall", 100, 0, 20, 200),
+      scene.maker("men", { friction = 0.7 })("man", 84, 176, 16, 24),
+    }
+  end, {
+    0.5,
+    "man.vy = -300",
+    { 1 / 3, "man.x == 84" },
+    "man.y ~ 126",
+  }, { "belt", { 0 }, { 60 }, { 140 } })
 end)

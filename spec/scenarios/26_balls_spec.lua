@@ -5,7 +5,7 @@ local physics = require("physics")
 local small = require("spec.support.small")
 local yielding = require("physics.narrowphase.yielding")
 
-local run, tile = small.play, small.tile
+local ball, run, tile = small.ball, small.play, small.tile
 
 local long = effort.isFirst and it or pending
 
@@ -13,24 +13,8 @@ local RATES = { 30, 60, 144, 240 }
 -- px/s: a corner is met 2e-9 of a step later than a face, so its normal is a little another one.
 local LATER = 1e-6
 
-local function ball(x, y, radius, changes)
-  local object = small.put(x - radius, y - radius, nil, nil, changes)
-  object.radius = radius
-  return object
-end
-
 local function near(expected, value, tolerance)
-  assert.is_true(
-    math.abs(expected - value) <= (tolerance or 1e-9),
-    ("%.12g, not %.12g"):format(value, expected)
-  )
-end
-
-local function addRoom(world, width, height)
-  world:add("walls", tile(-20, height, width + 40, 20))
-  world:add("walls", tile(-20, -20, width + 40, 20))
-  world:add("walls", tile(-20, 0, 20, height))
-  world:add("walls", tile(width, 0, 20, height))
+  assert.near(expected, value, tolerance or 1e-9)
 end
 
 describe("radius: a ball", function()
@@ -38,7 +22,7 @@ describe("radius: a ball", function()
     local worlds = {}
     for n = 1, 2 do
       local world = physics.newWorld({ gravity = 700 })
-      addRoom(world, 300, 200)
+      world:setBounds(0, 0, 300, 200)
       local object = ball(60, 60, 10, { vx = 130, restitution = 0.7, friction = 0.2 })
       if n == 2 then
         object.radius, object.width, object.height = nil, 20, 20
@@ -73,6 +57,17 @@ describe("radius: a ball", function()
     near(-192, object.vy, LATER)
     near(94 + 0.8 * 56 - 10 + speed, object.x, 1e-6)
     near(92 - 0.8 * 192 - 10, object.y, 1e-6)
+  end)
+
+  -- It touches as the step begins: it is no contact that holds.
+  it("bounces off a stone that it touches slanted, with gravity", function()
+    local world, side = physics.newWorld({ gravity = 600 }), 10 * math.sqrt(2)
+    world:add("stones", ball(0, 0, 10, { static = true }))
+    local object = ball(side, -side, 10, { vx = -90, vy = 90, restitution = 1 })
+    world:add("balls", object)
+    world:update(1 / 60)
+    near(90, object.vx)
+    near(-80, object.vy)
   end)
 
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
@@ -387,6 +382,44 @@ describe("radius, strength and mass: a round player", function()
       end
     end
   end)
+end)
+
+--    [pillar]
+--      <-(_)       Both go to the left, a hair in each other: nothing holds one of them.
+--     <-(_)
+--    _________
+it("radius and restitution: two that go under a pillar are not crushed", function()
+  local world, told = physics.newWorld({ gravity = 0 }), 0
+  world:add("walls", tile(0, 49, 14, 14))
+  world:add("walls", tile(-150, 100, 300, 20))
+  world:add("balls", ball(10.444, 73, 10, { vx = -60, restitution = 0.5 }))
+  world:add("balls", ball(4.367, 91, 9, { vx = -58, restitution = 0.5, mass = 3 }))
+  function world.onCrush()
+    told = told + 1
+  end
+  world:update(1 / 30)
+  assert.equal(0, told)
+end)
+
+--     [ enemy ][P]       P presses an enemy onto the stone, others come from the left. The enemy
+--    (enemy)[ enemy ]    has room only where it comes from.
+--                 (stone)
+it("radius and strength: what has no room between player and stone does not shoot out", function()
+  local world, list = physics.newWorld({ gravity = 0 }), {}
+  world:add("pillars", tile(32, 61, 20, 20, { radius = 10 }))
+  list[1] = world:add("boxes", small.put(9, 2.6, 20, 20))
+  list[2] = world:add("boxes", small.put(19.2, 41.3, 20, 20))
+  list[3] = world:add("boxes", ball(14.2, 32.6, 10))
+  list[4] = world:add("players", small.put(24.4, 25.3, 16, 16, { strength = 1 }))
+  for _ = 1, 3 do
+    for n, row in ipairs({ { 50, 74 }, { 28, -84 }, { 88, 12 }, { 0, 80 } }) do
+      list[n].vx, list[n].vy = row[1], row[2]
+    end
+    world:update(1 / 120)
+    for _, one in ipairs(list) do -- (600 px/s)
+      assert.is_true(one.vx * one.vx + one.vy * one.vy < 150 * 150, one.vx .. ", " .. one.vy)
+    end
+  end
 end)
 
 --   _______________

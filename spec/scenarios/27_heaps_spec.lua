@@ -240,17 +240,6 @@ describe("radius: a heap of balls", function()
     assert.is_true(depths(world.objects.balls, 340) < 0.1)
   end)
 
-  long("is the same with rest, and with pairs and without rest", function()
-    -- Half a second after the last one has come down, if it is a selection.
-    local hashes, seconds = {}, effort.isWhole and 6 or 2
-    for n, settings in ipairs({ {}, { rest = false, broadphase = "pairs" } }) do
-      local world = newHeap("poured", 5, settings)
-      run(world, seconds)
-      hashes[n] = world:hash()
-    end
-    assert.are.equal(hashes[1], hashes[2])
-  end)
-
   it("goes on in the same way if it is restored among boxes", function()
     local world = newHeap("mixed", 5)
     for _ = 1, effort.isWhole and 24 or 12 do
