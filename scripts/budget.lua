@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 837 },
   { "physics/queries", 982 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3450 },
+  { "physics/solver", 3439 },
   { "physics/space", 500 },
   { "physics/state", 1044 },
   { "physics/world", 1364 },
