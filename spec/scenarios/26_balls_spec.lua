@@ -70,6 +70,16 @@ describe("radius: a ball", function()
     near(-80, object.vy)
   end)
 
+  -- 0.002 of their size do not show, and of what is more one half goes in a step.
+  local depths = { { 0.01, 0.01 }, { 0.05, 0.045 } }
+  small.rows("in another by {1} px is {2} px in it later", depths, function(deep, after)
+    local world, way = physics.newWorld({ gravity = 0 }), (20 - deep) * math.sqrt(0.5)
+    local one, other = ball(0, 0, 10), ball(way, -way, 10)
+    world.objects.balls = { one, other }
+    world:update(1 / 60)
+    near(20 - after, math.sqrt((other.x - one.x) ^ 2 + (other.y - one.y) ^ 2))
+  end)
+
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
       local world = physics.newWorld({ gravity = 0 })
