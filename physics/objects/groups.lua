@@ -27,7 +27,7 @@ local function newRecord(name, source)
     source = source, -- the game's table
     direct = false, -- that is an object itself
     index = 0, -- place among the groups
-    rankBehind = huge, -- the lowest rank in the groups that follow
+    unranked = 1, -- the first place at which it has changed since the last update; huge: none
     list = {}, -- the objects that were in it,
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`

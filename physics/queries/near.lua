@@ -30,6 +30,7 @@ local sort = require(root .. ".memory.sort")
 local near = {}
 
 local isFinite, max, min, remove = check.isFinite, math.max, math.min, table.remove
+local placeInOrder = registry.placeInOrder
 local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 -- So many objects are compared in a few microseconds.
 local FEW = 1000
@@ -180,7 +181,7 @@ end
 local function add(c, i)
   local b, n = c.bodies, c.count + 1
   local object, k, m, kind = b.object[i], 2 * n, 2 * i, STATIC
-  c.count, c.object[n], c.groupName[n], c.rank[n] = n, object, b.group[i].name, b.rank[i]
+  c.count, c.object[n], c.groupName[n], c.rank[n] = n, object, b.group[i].name, placeInOrder(b, i)
   if b.kind[i] == STATIC then
     c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
     c.size[k], c.size[k + 1], c.shape[n] = b.size[m], b.size[m + 1], b.shape[i]
