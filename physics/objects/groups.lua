@@ -15,7 +15,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
-local huge, max, min = math.huge, math.max, math.min
+local max, min = math.max, math.min
 
 -- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
 local FEW = 64
