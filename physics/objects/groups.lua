@@ -15,7 +15,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
-local max, min = math.max, math.min
+local huge, max, min = math.huge, math.max, math.min
 
 -- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
 local FEW = 64
@@ -27,7 +27,7 @@ local function newRecord(name, source)
     source = source, -- the game's table
     direct = false, -- that is an object itself
     index = 0, -- place among the groups
-    unranked = 1, -- the first place at which it has changed since the last update; huge: none
+    rankBehind = huge, -- the lowest rank in the groups that follow
     list = {}, -- the objects that were in it,
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
