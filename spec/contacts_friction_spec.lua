@@ -130,20 +130,6 @@ describe("friction: as by hand,", function()
     5 / 6,
     "a.x ~ 50, 1; b.x ~ a.x, 1e-9; c.x ~ a.x, 1e-9; a.vx == 0; b.vx == 0; c.vx == 0",
   }, { "m1, m2, m3", { 1, 1, 1 }, { 4, 1, 2 }, { 1, 8, 0.25 } })
-
-  --     +--+           It is braked by 400 px/s², and pulls at the crate by 400 for each kg; that
-  --     +--+ 120 ->    is as firm as its 8 kg.
-  --   +------+
-  play.row("a tower of {high} slides on a crate, 18 px", LEVELS, function(v)
-    local list = { { -40, -16, 0.5, 0, 8, width = 80 } }
-    for n = 1, v.high do
-      list[n + 1] = { -8, -16 - 16 * n, 0.5, 120 }
-    end
-    return on(nil, small.unpack(list))
-  end, {
-    { 1, "a.x == -40" },
-    "b.x ~ 10, 1e-2; b.vx == 0; (c or b).x ~ 10, 1e-2; (e or b).x ~ 10, 1e-2",
-  }, { "high", { 1 }, { 2 }, { 4 } })
 end)
 
 describe("friction: what is hit,", function()
@@ -290,22 +276,6 @@ describe("friction: what is leaned on or pushed,", function()
     },
   })
 
-  local nine = { { -16, -8, nil, 60, 1, height = 8, kinematic = true } }
-  for n = 0, 8 do
-    nine[n + 2] = { 16 * math.floor(n / 3), -16 - 16 * (n % 3), 0.5 }
-  end
-  play.row("goes along in a row of stacks", LEVELS, on(nil, small.unpack(nine)), {
-    1,
-    "x, x2, x3 = b.x, d.x, j.x",
-    2,
-    "b.x ~ x + 120; d.x ~ x2 + 120; j.x ~ x3 + 120; a.vx == 60",
-  })
-
-  local one, other = { 0, -56, nil, 60 }, { 16, -56, 0.5 }
-  one.gravity, one.gravityX, other.gravity, other.gravityX = 0, 0, 0, 0
-  local ALOFT = on(nil, one, other)
-  play.row("stands on nothing", LEVELS, ALOFT, { 1, "a.vx ~ 30, 1e-9; b.vx ~ 30, 1e-9" })
-
   play.row("under a box of mass {mass}: goes no faster than what pushes", LEVELS, function(v)
     local boxes =
       "-20 -24 - 0 1000 20 24; 0 -20 1 0 1 20 20; 0 -40 1 0 %g 20 20; 20 -20 1 0 1 20 20"
@@ -323,14 +293,6 @@ describe("friction: what is leaned on or pushed,", function()
     scene.maker("boxes", { friction = 1 })("high", 0, -40, 30, 20),
     scene.maker("lifts", { kinematic = true, vx = 50 })("lift", -37, -24, 20, 24),
   }, { 1 / 3, { 1, "low.vx ~ 50", "high.x ~ low.x" } })
-
-  -- Four on each other and their pusher, in small steps.
-  local FAST = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate = { 960 } }
-  local TOWER = on(nil, "-16 -16 - 0 1e6; 0 -16 0.7; 0 -32 0.7; 0 -48 0.7; 0 -64 0.7")
-  play.row("is a tower, at 40 px/s: slips by 10 / 7 px", FAST, TOWER, {
-    { 0.5, keep = "a.vx = 40" },
-    "b.x - c.x ~ 10 / 7, 2e-3; d.x ~ c.x, 2e-3; e.x ~ c.x, 2e-3; e.vx == b.vx",
-  })
 end)
 
 -- The two push as hard as each other, anew in every update, so nothing moves. One push comes first,
@@ -488,4 +450,22 @@ describe("friction: of a stack", function()
       crate("c", 70.8, 59, 8, 8),
     }
   end, { 0.5, "c.y == 72" }, { "belt", { 0 }, { 30 }, { 140 } })
+
+  --          |#     what the belt gives it, and the wall takes off again, is no load
+  --   [ man ]|#
+  --   -------- ->
+  play.row("hinders no jump: off a belt at {belt} px/s that presses to a wall", THIRTY, function(v)
+    local belt = { static = true, friction = 0.9, surfaceSpeed = v.belt }
+    return {
+      gravity = 900,
+      scene.maker("belts", belt)("belt", 0, 200, 100, 12),
+      scene.maker("walls", { static = true })("wall", 100, 0, 20, 200),
+      scene.maker("men", { friction = 0.7 })("man", 84, 176, 16, 24),
+    }
+  end, {
+    0.5,
+    "man.vy = -300",
+    { 1 / 3, "man.x == 84" },
+    "man.y ~ 126",
+  }, { "belt", { 0 }, { 60 }, { 140 } })
 end)

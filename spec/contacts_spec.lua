@@ -149,10 +149,8 @@ describe("restitution: a row of different masses", function()
   local LIGHT, ALIKE = { 4, 0.1, 4 }, { 1, 1, 1, 1, 1 }
   for _, given in ipairs({
     { LIGHT, 0, 1, 1, -4.7 },
-    { LIGHT, 1, 1, 1, -4.7 },
     { LIGHT, 5, 1, 1, -4.7 },
     { ALIKE, 0, 1, 1, 0 },
-    { { 1, 1, 1 }, 2, 1, 1, 0 },
     { { 4, 1, 4 }, 2, 1, 1 },
     { { 1, 4, 0.1 }, 2, 1, 1 },
     { { 4, 0.1, 4, 0.1, 4 }, 2, 1, 0.86 },
@@ -160,7 +158,6 @@ describe("restitution: a row of different masses", function()
     { { 100, 1, 100 }, 0.5, 1, 1 },
     { { 1, 0.01, 1, 0.01, 1 }, 0.5, 1, 0.49 },
     { { 10, 1, 0.1, 1, 10 }, 0.5, 0.9, 0 },
-    { { 100, 1, 100 }, 0.5, 0.9, 0 },
     { { 1, 0.01, 1, 0.01, 1 }, 0.5, 0.9, 0 },
   }) do
     local masses, gap, restitution, least, first = small.unpack(given, 1, 5)
@@ -187,18 +184,6 @@ describe("restitution: a row of different masses", function()
       run:near("vx of the first", named.ball1.vx, first or named.ball1.vx, 0.1)
     end)
   end
-
-  it("that are alike and touch hands the speed on to the last, in one step", function()
-    local world, boxes = small.still(), {}
-    for n = 1, 5 do
-      local fields = { vx = n == 1 and 400 or 0, restitution = 1 }
-      boxes[n] = world:add("boxes", newBox(16 * n, 0, fields))
-    end
-    update(world, 1)
-    for n = 1, 5 do
-      assert.near(n == 5 and 400 or 0, boxes[n].vx, 1e-9)
-    end
-  end)
 end)
 
 describe("friction: a box that leans on a lift that rises", function()

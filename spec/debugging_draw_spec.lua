@@ -211,8 +211,7 @@ describe("draw", function()
     world:update(1 / 60)
     world:draw({ counters = true })
     local last = calls[#calls]
-    assert.equal("print", last.name)
-    assert.equal(1, last.depth)
+    assert.same({ "print", 1 }, { last.name, last.depth })
     assert.truthy(last[1]:find("^objects 2   movers 1   resting %d   pairs 1   contacts 1"))
     local isInWindow = false
     for _, call in ipairs(calls) do
@@ -237,8 +236,7 @@ describe("draw", function()
     world:draw({ velocity = true, names = true, counters = true, grid = true })
     assert.is_true(#calls > 8)
     assert.same({ 0.1, 0.2, 0.3, 0.4 }, { graphics.getColor() })
-    assert.equal(5, graphics.getLineWidth())
-    assert.equal("the caller's", graphics.getFont())
+    assert.same({ 5, "the caller's" }, { graphics.getLineWidth(), graphics.getFont() })
     assert.equal(0, graphics.depth())
   end)
 

@@ -153,6 +153,12 @@ describe("checked", function()
       "masks: " .. "there is no group Floors, did you mean floors?",
       LATER,
     },
+    {
+      "new",
+      { mask = { true, Floors = false } },
+      "mask: there is no group Floors, did you mean floors?",
+      REFUSES,
+    },
     { "world", { masks = ONLY_TRUE }, 'masks.boxes = { ["coins"] = true }' .. NOTHING, SWITCHED },
     {
       "new",

@@ -160,33 +160,12 @@ describe("onBegin and onEnd", function()
   })
 
   -- It stands on the edge, and is past it at the end of the step.
-  it("are told in one step for a box that runs off an edge, wherever down is", function()
-    for _, values in ipairs({
-      { 0, 800, "bottom", "top" },
-      { 0, -800, "top", "bottom" },
-      { 800, 0, "right", "left" },
-      { -800, 0, "left", "right" },
-    }) do
-      local gx, gy = values[1] / 800, values[2] / 800
-      for first, side in ipairs({ values[3], values[4] }) do
-        local world = physics.newWorld({ gravityX = values[1], gravity = values[2] })
-        lines = {}
-        function world.onBegin(_, _, its)
-          note("begin " .. its)
-        end
-        function world.onEnd(_, _, its)
-          note("end " .. its)
-        end
-        local block = { x = 100, y = 100, width = 20, height = 20, static = true }
-        local runner = { x = 100 - 20 * gx, y = 100 - 20 * gy, width = 20, height = 20 }
-        runner.vx, runner.vy = 1500 * math.abs(gy), 1500 * math.abs(gx)
-        world:add("a", first == 1 and runner or block)
-        world:add("b", first == 1 and block or runner)
-        world:update(1 / 60)
-        assert.are.same({ "begin " .. side, "end " .. side }, lines)
-      end
-    end
-  end)
+  play.row("are told in one step for a box that runs off an edge, wherever down is", {
+    turn = variants.TURNS,
+    order = { "forward", "backward" },
+  }, { solid("block", 100, 100, 20, 20), box({ x = 100, y = 84, vx = 1800 }) }, {
+    { "listen box", { steps = 1 }, "box heard 1, 1; heard.box.sides.bottom == 1" },
+  })
 
   row("are told in the step that presses, not in the one that ends flush: push {push}", function(v)
     local first, pusher = box({ vx = 64 }), box({ name = "pusher", y = 100, vx = 64 })
@@ -385,21 +364,6 @@ describe("onBegin: a spike that", function()
       end
     end)
   end
-
-  it("is put into a man that flies on tells begin and end", function()
-    local world, told = physics.newWorld({ gravity = 0 }), {}
-    local man = world:add("men", newBox(0, 0, { vx = 300 }))
-    function world.onBegin(_, _, side, speed)
-      told[#told + 1] = ("%s %g"):format(side, speed)
-    end
-    function world.onEnd(_, _, side)
-      told[#told + 1] = side
-    end
-    small.run(world, 2)
-    world:add("spikes", small.tile(man.x - 10, 0, 16, 16))
-    small.run(world, 2)
-    assert.same({ "left 0", "left" }, told)
-  end)
 end)
 
 describe("onBegin: the place of a contact", function()
@@ -518,23 +482,26 @@ describe("onBegin, onStay: the normal", function()
     end
   end
 
-  local function ballAt(x, y, fields)
-    return small.put(x - 8, y - 8, 16, 16, small.set({ radius = 8 }, fields))
-  end
-
   -- The mover flies or falls; the other one is static.
   local WALL, CEILING = newBox(30, 0), newBox(0, 10)
-  local BUMPER, CORNER = ballAt(100, 100), newBox(100, 100)
+  local BUMPER, CORNER = small.ball(100, 100, 8), newBox(100, 100)
   local SLOPE = small.put(0, 100, 100, 100, { slope = "right" })
   local function hit(fields)
-    return ballAt(100 - 0.8 * 46, 100 - 0.6 * 46, small.set({ vx = 240, vy = 180 }, fields))
+    return small.ball(100 - 0.8 * 46, 100 - 0.6 * 46, 8, small.set({ vx = 240, vy = 180 }, fields))
   end
   for _, given in ipairs({
     { "a box at a wall", -1, 0, 0, newBox(0, 0, { vx = 120 }), WALL },
     { "a box below a ceiling", 0, 1, 0, newBox(0, 40, { vy = -120 }), CEILING },
     { "a ball at a round bumper", -0.8, -0.6, 0, hit(), BUMPER },
     { "a ball that bounces off it", -0.8, -0.6, 0, hit({ restitution = 1 }), BUMPER },
-    { "a ball at a corner", -root, -root, 0, ballAt(60, 60, { vx = 200, vy = 200 }), CORNER },
+    {
+      "a ball at a corner",
+      -root,
+      -root,
+      0,
+      small.ball(60, 60, 8, { vx = 200, vy = 200 }),
+      CORNER,
+    },
     { "a box on a slope", -root, -root, 800, newBox(20, 130), SLOPE },
     { "a box beyond the crest of a slope", 0, -1, 800, newBox(95, 70), SLOPE },
   }) do
@@ -557,7 +524,7 @@ describe("onBegin, onStay: the normal", function()
 
   it("is told after a restore of events that wait", function()
     local world = physics.newWorld({ gravity = 0 })
-    local ball = world:add("balls", ballAt(60, 60, { vx = 200, vy = 200 }))
+    local ball = world:add("balls", small.ball(60, 60, 8, { vx = 200, vy = 200 }))
     world:add("walls", newBox(100, 100, { static = true }))
     ball.onBegin = function()
       error("on purpose")

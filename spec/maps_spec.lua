@@ -312,8 +312,7 @@ describe("loadTiled: a map without a wall", function()
 
   it("and without tiles says so of its objects", function()
     local text = TEXT:format('solidLayers = { "things" }', '"things"')
-    assert.equal(text, reasonsOf((load(things(newBox())))))
-    assert.equal("", reasonsOf((load(things()))))
+    assert.same({ text, "" }, { reasonsOf((load(things(newBox())))), reasonsOf((load(things()))) })
   end)
 
   it("of LDtk says so, too, with its values or tiles", function()
@@ -456,8 +455,7 @@ describe("level:addMap and level:removeMap: a world of several maps", function()
       end
     end
     course.objects[1].x = course.objects[1].x + 500
-    assert.is_true(level:removeMap("course"))
-    assert.is_false(level:removeMap("course"))
+    assert.same({ true, false }, { level:removeMap("course"), level:removeMap("course") })
     assert.same({ 0, 0 }, { #level.objects, count(world) })
     level:addMap("course")
     assert.equal(before, count(world))

@@ -217,6 +217,17 @@ without fields that do not fit each other, which are named once | ground | #1.1 
     assert.same({ 4, 1, nil }, { level.tiles, level.rectangles, level.objects[1].tiled.gid })
   end)
 
+  it("are refused behind the last tileset, in whichever order the map lists them", function()
+    local first = tiled.tileset({}, { tilecount = 4 })
+    local second = tiled.tileset({}, { firstgid = 5, tilecount = 4 })
+    for _, sets in ipairs({ { first, second }, { second, first } }) do
+      local map = tiled.map(sets, { tiled.tiles(1, "ground", { "1589" }) })
+      local isRead, message = pcall(load, map)
+      assert.is_false(isRead)
+      assert.truthy(message:find("must be a gid of one of the tilesets, got 9", 1, true))
+    end
+  end)
+
   --- One rectangle in a tile, 2 px from the left, 3 px from the top, 4 px wide, 8 px high, in all
   --- the ways in which the editor turns tiles (keys X, Y and Z); and tiles of 24 x 40 px, which
   --- stand on the lower left corner of their cell.
@@ -274,8 +285,7 @@ describe("world:loadTiled, packed layers", function()
     -- 65537 is 01 00 01 00
     local map = newMap({ "." }, { encoding = "base64" }, nil, nil, { firstgid = 65537 })
     map.layers[1].data = "AQABAA=="
-    assert.equal(1, (load(map)).tiles)
-    assert.equal(65537, (load(map)).tileLayers.ground:getTile(0, 0))
+    assert.same({ 1, 65537 }, { (load(map)).tiles, (load(map)).tileLayers.ground:getTile(0, 0) })
   end)
 
   it("that are compressed are unpacked by the option, or by LÖVE, or named", function()
@@ -391,8 +401,7 @@ describe("world:loadTiled, tilesets in files of their own", function()
     assert.equal(1, (load(newLand("earth.lua"), { folder = "sets" })).tiles)
     load(newLand("../earth.lua"), { folder = "" })
     assert.same({ "sets/earth.lua", "sets/earth.lua", "../earth.lua" }, asked)
-    assert.equal(1, #load("sets/map.lua").points)
-    assert.is_false((pcall(load, "maps/map.lua")))
+    assert.same({ 1, false }, { #load("sets/map.lua").points, (pcall(load, "maps/map.lua")) })
   end)
 
   it("are named if they cannot be had, and then a layer can still be solid", function()

@@ -222,8 +222,7 @@ describe("area: a zone", function()
       world:update(DT)
       other:update(DT)
     end
-    assert.are.equal(world:hash(), other:hash())
-    assert.are.equal(object.y, other.objects.bodies[1].y)
+    assert.same({ world:hash(), object.y }, { other:hash(), other.objects.bodies[1].y })
     saved.fields.area[2][1] = "wind"
     assert.is_false((pcall(other.restore, other, saved)))
   end)
@@ -237,18 +236,6 @@ describe("area: a zone", function()
     local other = physics.newWorld()
     other:restore(world:save())
     assert.are.same({ 0, 30 }, { other:velocity(other.objects.bodies[1]) })
-  end)
-
-  it("comes from Tiled, as a class", function()
-    local world = physics.newWorld()
-    local object = { id = 1, x = 0, y = 0, width = 64, height = 32, shape = "rectangle" }
-    object.properties = { sensor = true, static = true, area = { gravity = 50, law = "linear" } }
-    local map = { orientation = "orthogonal", width = 4, height = 4, tilewidth = 16 }
-    map.tileheight, map.tilesets = 16, {}
-    map.layers = { { type = "objectgroup", name = "zones", objects = { object } } }
-    assert.are.same({}, world:loadTiled(map).unsupported)
-    assert.are.same({ gravity = 50, law = "linear" }, world.objects.zones[1].area)
-    world:update(DT)
   end)
 
   it("is told by explain", function()

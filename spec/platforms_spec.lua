@@ -182,28 +182,6 @@ describe("x and y: what is put elsewhere together with what carries it", functio
     "log.ends == 0; log.begins == 2",
   }, { "vx, vy, dx, dy", unpack(WAYS) })
 
-  play.row("goes on when everything is moved, static objects too", UPRIGHT, {
-    solid("floor", -500, 300, 1000, 16),
-    carrier("lift", 0, 250, 60, 16, { vy = -30 }),
-    body("crate", 100, 284, 16, 16),
-    body("top", 100, 268, 16, 16),
-    body("man", 20, 226, 16, 24),
-  }, {
-    "log = run:listenToWorld()",
-    SETTLE,
-    "begins = log.begins",
-    function(run)
-      for _, object in ipairs(run.all) do
-        object.x, object.y = object.x - 5000, object.y + 2500
-        if object.static or object.kinematic then
-          run.world:refresh(object)
-        end
-      end
-    end,
-    { 0.5, "crate.y ~ 2784", "top.y ~ 2768", "lift.y - man.y ~ 24" },
-    "log.begins == begins; log.ends == 0",
-  })
-
   -- It fell beside the lift for two dozen updates.
   local RIDES = {}
   for n, speed in ipairs({ { 0, 30 }, { 0, 60 }, { 0, 200 }, { 0, 400 }, { 40, 120 } }) do

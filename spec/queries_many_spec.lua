@@ -2,8 +2,6 @@
 --- plain loop over all of them, and nothing changes by asking.
 
 local effort = require("spec.support.effort")
-local everything = require("spec.support.everything")
-local golden = require("spec.support.golden")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local small = require("spec.support.small")
@@ -78,15 +76,6 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
       object.x, object.y = place[1], place[2]
       assert.equal(1, select(2, world:queryRect(0, 0, 10, 10)))
     end
-  end)
-
-  it("see what is switched on again", function()
-    local world = build()
-    local object = world:add("a", sized(0, 0, 10, 10, { active = false }))
-    world:update(1 / 60)
-    expect(world, nil, 0)
-    object.active = true
-    expect(world, object, 0)
   end)
 
   for _, isStatic in ipairs({ false, true }) do
@@ -300,24 +289,6 @@ describe("queryRect and the others", function()
     end
     small.run(world, 60)
     assert.are.same({ "bottom", 1, 1 }, { told, answers[1], object.x })
-  end)
-
-  it("changes no bit of what comes, nor does a write that is taken back", function()
-    local random, out = newRandom(3), {}
-    golden.check(
-      "everything",
-      everything.fold(nil, function(world)
-        local x, y, object = random:between(0, 400), random:between(0, 400), world.objects.crates[3]
-        world:queryRect(x, y, 50, 50, nil, out)
-        world:raycast(x, y, y, x)
-        local oldX, active, mask = object.x, object.active, object.mask
-        object.x, object.active, object.mask = x, false, { boxes = false }
-        world:nearest(x, y, 100)
-        object.x, object.active, object.mask = oldX, active, mask
-        world:sweep(object, x, y)
-        world:overlapping(object, nil, out)
-      end)
-    )
   end)
 
   -- Whether a line from (x1, y1) by (dx, dy) passes through the inside of a box; nil: nearly.

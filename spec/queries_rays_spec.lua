@@ -108,18 +108,6 @@ describe("raycast", function()
       end
     end
   end)
-
-  it("finds the nearest, however far it is", function()
-    local world = still()
-    for i = 1, 300 do
-      world:add("c", tile(20 * i, 50, 16, 16))
-    end
-    for _, x in ipairs({ 1e6, 1e6 - 20, 1e5, 1e4, 3000, 300, 12 }) do
-      local near = world:add("b", sized(x, 0, 10, 10))
-      assert.are.equal(near, (world:raycast(0, 5, 2e6, 5)))
-      assert.are.equal(near, (world:raycast(x + 10, 5, -5000, 5)))
-    end
-  end)
 end)
 
 -- A ledge of 100 x 10 px at (0, 0), round ones, a slope; lines that meet them.

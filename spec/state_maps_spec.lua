@@ -225,22 +225,6 @@ describe("world:restore, dug tiles", function()
     checkDigs(tiles, world)
   end)
 
-  it("wait as they did, and come in the same order", function()
-    local world, tiles = newWorld(true)
-    tiles:load(40)
-    tiles:unload(9)
-    dig(tiles, 1, 50)
-    local again, its = newWorld(true)
-    assert.same({ nil, {} }, { again:restore(copied(world:save())) })
-    for turn = 2, 4 do
-      assert.equal(tiles:load(30), its:load(30))
-      dig(tiles, turn, 20)
-      dig(its, turn, 20)
-      assert.equal(tiles:unload(12), its:unload(12))
-      assert.equal(world:hash(), again:hash())
-    end
-  end)
-
   it("are built where the map is, after a shift and a way back", function()
     local world, tiles = newWorld()
     local state = world:save()

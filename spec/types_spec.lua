@@ -1,8 +1,6 @@
---- Types of the reference: what is in `stats`, and that physics/types.lua has all fields.
+--- Types of the reference: what is in `stats`.
 
-local fields = require("physics.fields.fields")
 local physics = require("physics")
-local read = require("spec.support.files").read
 local small = require("spec.support.small")
 
 local newBox, newFloor = small.box, small.floor
@@ -67,13 +65,4 @@ it("profile: a clock in it tells how long the stages of a step took", function()
   world.profile = nil
   world:update(1 / 60)
   assert.is_nil(world.stats.times)
-end)
-
-it("physics/types.lua has every field of objects and every setting #files", function()
-  local text = read("physics/types.lua")
-  for _, list in ipairs({ fields.objects, fields.settings }) do
-    for _, field in ipairs(list) do
-      assert.truthy(text:find("\n---@field " .. field.name .. "%??%s"), field.name)
-    end
-  end
 end)

@@ -344,8 +344,7 @@ describe("globals: the tutorial", function()
     for _ = 1, 60 do
       physics_update(DT)
     end
-    assert.equal(84, objects[1].y)
-    assert.equal(84, objects.player.y)
+    assert.same({ 84, 84 }, { objects[1].y, objects.player.y })
   end)
 
   it("may start with no table at all", function()

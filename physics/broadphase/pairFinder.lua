@@ -207,8 +207,8 @@ end
 
 --- Notes that the game has moved or resized an object since its last step.
 function pairFinder.markMoved(b, i)
-  if not b.moved[i] then
-    b.moved[i] = true
+  if b.moved[i] == 0 then
+    b.moved[i] = 1
     b.movedCount = b.movedCount + 1
     b.movedList[b.movedCount] = i
   end

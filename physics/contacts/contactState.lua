@@ -4,7 +4,7 @@
 --
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
--- Reads to, position, hit, pressedSide, passing and others; writes contact,
+-- Reads to, position, hit, pressedAt, passing and others; writes contact,
 -- overlapping, wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -31,14 +31,15 @@ end
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
 -- this step.
 local function isPressed(b, i, j, side)
-  return b.kind[i] == DYNAMIC and b.pressedSide[4 * i + side]
-    or b.kind[j] == DYNAMIC and b.pressedSide[4 * j + OPPOSITE[side]]
+  local pressedAt, stamp = b.pressedAt, b.solveStamp
+  return b.kind[i] == DYNAMIC and pressedAt[4 * i + side] == stamp
+    or b.kind[j] == DYNAMIC and pressedAt[4 * j + OPPOSITE[side]] == stamp
 end
 
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
-  if b.deepIn[p] == b.solveStamp then
+  if b.deepWay[p] ~= 0 then
     b.wedged[p] = b.deepWay[p]
     return
   end

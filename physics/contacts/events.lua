@@ -284,21 +284,15 @@ function events.forget(e)
   e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, 0
 end
 
---- Lists the events that are not in order yet in `e.late`, in order. Returns how many there are.
---- Changes nothing else.
-function events.sortLate(e)
+--- Puts the events that are not in order yet in order, behind the others.
+function events.arrange(e)
   local order, late, sorted, count = e.order, e.late, e.sorted, e.count - e.sorted
   for n = 1, count do
     late[n] = order[sorted + n]
   end
   sort.by(late, count, e.leant, e.rankA, e.rankB)
-  return count
-end
-
---- Puts the events that are not in order yet in order, behind the others.
-function events.arrange(e)
-  for n = 1, events.sortLate(e) do
-    e.order[e.sorted + n] = e.late[n]
+  for n = 1, count do
+    order[sorted + n] = late[n]
   end
   e.sorted = e.count
 end

@@ -8,7 +8,7 @@ local fields = require(root .. ".fields.fields")
 local layout = require(root .. ".memory.layout")
 
 ---@class physics.Form
----@field keep function? (b, value) -> the value of a column: a copy, so that a change is found
+---@field keep function? (value) -> the value of a column: a copy, so that a change is found
 ---@field isKept function? (value, kept) -> whether a value equals the kept one; false: nothing is
 
 local forms = {}
@@ -43,29 +43,17 @@ function forms.copy(value, into)
   return copy
 end
 
--- Returns a copy of a mask or an area. Many tiles have the same mask: those in a row share it.
-local function keepTable(b, given)
-  if not forms.isSame(given, b.keptTable) then
-    b.keptTable = forms.copy(given)
-  end
-  return b.keptTable
-end
-
 -- (`false` is refused.)
 local function isSameTable(given, kept)
   return given ~= false and forms.isSame(given or false, kept)
-end
-
-local function keepSide(_, value)
-  return constants.sideOf(value)
 end
 
 local function isSameSide(value, kept)
   return constants.sideOf(value) == kept
 end
 
-local TABLE = { keep = keepTable, isKept = isSameTable }
-local SIDE, PLAIN = { keep = keepSide, isKept = isSameSide }, {}
+local TABLE, PLAIN = { keep = forms.copy, isKept = isSameTable }, {}
+local SIDE = { keep = constants.sideOf, isKept = isSameSide }
 local BY_TYPE = { mask = TABLE, area = TABLE }
 
 --- Returns the form of the values of a row.

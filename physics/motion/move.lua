@@ -27,75 +27,39 @@ local function moveKinematic(b, k, dt)
   b.displacement[k] = (b.written[k] - b.from[k] + b.wayLeft[k]) / b.remaining
   b.to[k] = (b.remaining > 1 and b.from[k] + b.displacement[k] or goal) + v * dt
   b.writtenSpeed[k] = b.displacement[k] / dt
-  b.speed[k], b.accel[k] = v + b.writtenSpeed[k], 0
+  v = v + b.writtenSpeed[k]
+  b.start[k], b.onset[k], b.speed[k], b.freeSpeed[k], b.accel[k] = v, v, v, v, 0
 end
 
--- Computes the free flight of dynamic bodies: speed at the end, and way.
-local function findFlights(b, dt)
-  local list, kind, isFree, air = b.awakeList, b.kind, b.isFree, b.flowAir
-  local velocity, pull, push, speed, displacement =
-    b.velocity, b.flowPull, b.push, b.speed, b.displacement
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    local k, m = 2 * i, 2 * i + 1
-    if kind[i] == DYNAMIC and isFree[i] and air[i] == 0 then
-      -- (The usual case: without a compiler a call would cost more than the work. So `path.pullOf`
-      -- is written out here: pull + push.)
-      local x, y = velocity[k], velocity[m]
-      local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
-      speed[k], speed[m] = endX, endY
-      displacement[k], displacement[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
-    elseif kind[i] == DYNAMIC then
-      forces.flight(b, i, dt)
-    end
-  end
-end
-
--- Holds a buried body where it is, and a crowd that would fall.
-local function holdBack(b, i)
-  for k = 2 * i, 2 * i + 1 do
-    if b.buried[i] then
-      path.finish(b, k, b.from[k], 0.0, 0.0)
-    elseif b.speed[k] * b.down[k] > 0 then
-      b.displacement[k] = 0.0
-      path.finish(b, k, b.from[k], b.carried[k], 0.0)
-    end
-  end
-end
-
--- Computes where bodies would end, and how fast they would be then: free flight, before any contact
--- acts. (One pass, with both axes written out: without a compiler that is half of the work for a
--- body that meets nothing.)
-local function findEnds(b, dt)
-  local list, kind, from, to, displacement = b.awakeList, b.kind, b.from, b.to, b.displacement
-  local speed, carried, accel, start, freeSpeed = b.speed, b.carried, b.accel, b.start, b.freeSpeed
-  local buried, crowd, give, inverseMass = b.buried, b.crowd, b.give, b.inverseMass
-  local origin, isFree, velocity = b.origin, b.isFree, b.velocity
+-- Computes the free flight of dynamic bodies, as if nothing carried them: how fast they are when
+-- the step begins and when it ends, and where they end. (One pass, with both axes written out:
+-- without a compiler that is half of the work for a body that meets nothing.)
+local function fly(b, dt)
+  local list, kind, isFree, air, brake = b.awakeList, b.kind, b.isFree, b.flowAir, b.flowDrag
+  local velocity, pull, push, from, origin = b.velocity, b.flowPull, b.push, b.from, b.origin
+  local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
+  local to, displacement, accel, give, inverseMass =
+    b.to, b.displacement, b.accel, b.give, b.inverseMass
   for n = 1, b.awakeCount do
     local i = list[n]
     local k, m, inverse = 2 * i, 2 * i + 1, inverseMass[i]
     local x, y = from[k], from[m]
-    origin[k], origin[m] = x, y
-    if kind[i] == DYNAMIC then
-      to[k], speed[k] = x + displacement[k] + carried[k] * dt, speed[k] + carried[k]
-      to[m], speed[m] = y + displacement[m] + carried[m] * dt, speed[m] + carried[m]
-    end
-    if buried[i] or crowd[k] > 0 then
-      holdBack(b, i)
-      inverse = buried[i] and 0 or inverse
-    end
-    local endX, endY = speed[k], speed[m]
-    give[k], give[m], freeSpeed[k], freeSpeed[m] = inverse, inverse, endX, endY
+    origin[k], origin[m], give[k], give[m] = x, y, inverse, inverse
     if kind[i] == DYNAMIC then
       local startX, startY = velocity[k], velocity[m]
-      if not isFree[i] then
-        startX, startY = forces.limit(b, i, startX, startY)
+      if isFree[i] and air[i] == 0 and brake[i] == 0 then
+        -- (The usual case, without a call: `path.pullOf` is written out here, pull + push.)
+        local endX, endY = startX + (pull[k] + push[k]) * dt, startY + (pull[m] + push[m]) * dt
+        speed[k], speed[m] = endX, endY
+        displacement[k], displacement[m] = (startX + endX) * 0.5 * dt, (startY + endY) * 0.5 * dt
+      else
+        startX, startY = forces.flight(b, i, dt)
       end
-      startX, startY = startX + carried[k], startY + carried[m]
-      start[k], start[m] = startX, startY
+      local endX, endY = speed[k], speed[m]
+      start[k], start[m], onset[k], onset[m] = startX, startY, startX, startY
+      freeSpeed[k], freeSpeed[m] = endX, endY
+      to[k], to[m] = x + displacement[k], y + displacement[m]
       accel[k], accel[m] = (endX - startX) / dt, (endY - startY) / dt
-    else
-      start[k], start[m] = endX, endY
     end
   end
 end
@@ -117,23 +81,42 @@ local function carry(b, dt)
   end
 end
 
+-- Adds to the flight of body k that of its carrier, and holds a buried body where it is, and a
+-- crowd that would fall.
+local function ride(b, k, isBuried, isCrowd, dt)
+  local carried = b.carried[k]
+  b.start[k], b.onset[k] = b.start[k] + carried, b.start[k] + carried
+  path.add(b, k, carried * dt, carried)
+  if isBuried then
+    b.give[k] = 0
+    path.finish(b, k, b.from[k], 0.0, 0.0)
+  elseif isCrowd and b.speed[k] * b.down[k] > 0 then
+    b.displacement[k] = 0.0
+    path.finish(b, k, b.from[k], carried, 0.0)
+  end
+  b.freeSpeed[k], b.accel[k] = b.speed[k], (b.speed[k] - b.start[k]) / dt
+end
+
 --- Gives a path to each awake body. The solver may wake others: then all are computed anew.
 function move.run(b, dt)
   path.begin(b)
   if b.hasZones then
     zones.run(b, b.awakeList, b.awakeCount, dt * 0.5)
   end
-  findFlights(b, dt)
-  if b.hasLimits then
-    forces.hinder(b, dt)
-  end
-  if b.hasCarriers or b.drifts then
+  fly(b, dt)
+  local isCarried = b.hasCarriers or b.drifts
+  if isCarried then
     carry(b, dt)
   end
   if b.driftedCount > 0 then
     drift.add(b)
   end
-  findEnds(b, dt)
+  for n = 1, (isCarried or b.hasOverlaps) and b.awakeCount or 0 do
+    local i = b.awakeList[n]
+    for k = 2 * i, b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+      ride(b, k, b.buried[i], b.crowd[2 * i] > 0, dt)
+    end
+  end
 end
 
 return move

@@ -15,7 +15,9 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
-local huge, max, min = math.huge, math.max, math.min
+local huge, max, min, sort = math.huge, math.max, math.min, table.sort
+-- For `haveChanged`: what is asked, and the answer.
+local TWO, asked, given, answer = { 1, 2 }, false, false, false
 
 -- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
 local FEW = 64
@@ -194,8 +196,8 @@ local function readChanges(b, record, first, isAll)
   end
 end
 
---- Returns whether there are other groups than those that were seen last, or in another order.
-function groups.haveChanged(self, objects)
+-- Returns whether there are other groups than those that were seen last, or in another order.
+local function differ(self, objects)
   local n, isOther = 0, self.reorder or not rawequal(self.source, objects)
   for name, value in next, isOther and {} or objects, nil do
     local record = self.byName[name]
@@ -205,6 +207,22 @@ function groups.haveChanged(self, objects)
     n = n + 1
   end
   return isOther or n ~= #self.groups
+end
+
+-- Compares the numbers of TWO, which are in order.
+local function compare()
+  answer = differ(asked, given)
+  return false
+end
+
+--- Returns whether there are other groups than those that were seen last, or in another order.
+--- (`differ` is not compiled, and compiled code ends where such a function follows; but it goes on
+--- behind one of C. So `sort` calls it: questions take 0.8 of the time.)
+function groups.haveChanged(self, objects)
+  asked, given = self, objects
+  sort(TWO, compare)
+  asked, given = false, false
+  return answer
 end
 
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.

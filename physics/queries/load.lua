@@ -145,7 +145,7 @@ local function pass(b, axis, sign, least, isLast)
     if holds[c] then
       local more = max(rest[2 * i + axis] * sign, 0.0) * (width[c] / free[i])
       local along = (i == one[c] and -sign or sign) * more
-      free[i], size[c] = free[i] - width[c], size[c] + (isLast and 0.0 or more)
+      free[i], size[c] = free[i] - width[c], size[c] + more
       push(c, (1 - axis) * along, axis * along)
     end
   end

@@ -65,9 +65,15 @@ local function speedAlong(b, n, m)
   return nx[m] * b.speed[k] + ny[m] * b.speed[k + 1]
 end
 
--- Returns whether half-plane n moves along the normal of half-plane m, and m along that of n. (A
--- train under a ceiling goes along its own face: it closes on nothing.)
+-- Returns whether half-planes n and m (0: none) close on each other: each moves along the normal
+-- of the other one. (A train under a ceiling goes along its own face: it closes on nothing.) If not
+-- all walls count, whether one of them moves: then it closes on those that do not.
 local function areClosing(b, n, m)
+  if counting > ALL then
+    return n > 0 and speedAlong(b, n, n) > STILL or m > 0 and speedAlong(b, m, m) > STILL
+  elseif m == 0 then
+    return false
+  end
   local one = speedAlong(b, n, n) - speedAlong(b, m, n)
   local other = speedAlong(b, n, m) - speedAlong(b, m, m)
   return max(one, -one) > STILL and max(other, -other) > STILL
@@ -113,24 +119,6 @@ local function addWall(b, x, y, place, j, itsSide)
   end
 end
 
--- Adds the half-planes of the objects that box i touches, but for edges of slopes.
-local function addRoom(b, i)
-  local room, walls = b.clipWork.room, b.clipWork.wall
-  for _, j, p in neighbours(b, i) do
-    local isContact = b.touches[p] ~= APART and b.touches[p] ~= SLANTED and counting < FIXED
-    if isContact and not touch.haveFaces(b, i, j) then
-      local kl, separation = b.bodyOf[2 * p], b.separation[p]
-      local axis, isLow = kl % 2, floor(kl * 0.5) == i
-      local at = isLow and 2 * b.bodyOf[2 * p + 1] + 2 or 2 * kl + 1
-      if isLow and room[at] < huge then
-        addWall(b, axis - 1, -axis, separation - room[at], walls[at], 2 * axis + 2)
-      elseif not isLow and room[at] > -huge then
-        addWall(b, 1 - axis, axis, room[at] + separation, walls[at], 2 * axis + 1)
-      end
-    end
-  end
-end
-
 -- px from box i at (x, y) to the nearest face of slot j, at moment t; its normal, and whether it is
 -- an edge.
 local function face(b, i, j, x, y, t)
@@ -172,14 +160,40 @@ local function wayOf(b, i, from)
 end
 
 -- Adds the half-plane of slot j: that of the face which box i was in front of at moment t, when it
--- was at (x, y). Returns whether it was. (The face goes where slot j goes.)
-local function addFace(b, i, j, x, y, t)
+-- was at (x, y). Returns whether it was. (The face goes where slot j goes.) If the two touch
+-- (`isTouched`), an edge on which the box walks does not count: the box may pass its crest.
+local function addFace(b, i, j, x, y, t, isTouched)
   local gap, faceX, faceY, isEdge = face(b, i, j, x, y, t)
-  local m, start, to = 2 * j, b.time[j], b.to
+  local m, start, to, isBefore = 2 * j, b.time[j], b.to, gap >= -2 * EPSILON
   x, y = x + to[m] - path.at(b, m, start, t), y + to[m + 1] - path.at(b, m + 1, start, t)
   local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, touch.axisOf(b, i, j))
-  planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
-  return gap >= -2 * EPSILON
+  if not isTouched or isBefore and not (isEdge and touch.gradient(b, i, j) ~= 0) then
+    planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
+  end
+  return isBefore
+end
+
+-- Adds the half-planes of the objects that box i, which was at (x, y) at moment t, touches. (Those
+-- of slopes, too: nothing sweeps a contact, so a fast box would end behind a slope.)
+local function addRoom(b, i, x, y, t)
+  local room, walls = b.clipWork.room, b.clipWork.wall
+  for _, j, p in neighbours(b, i) do
+    local isTouched = b.touches[p] ~= APART and b.touches[p] ~= SLANTED
+    if isTouched and touch.haveFaces(b, i, j) then
+      if isWall(b, p, i, j) then
+        addFace(b, i, j, x, y, t, true)
+      end
+    elseif isTouched and counting < FIXED then
+      local kl, separation = b.bodyOf[2 * p], b.separation[p]
+      local axis, isLow = kl % 2, floor(kl * 0.5) == i
+      local at = isLow and 2 * b.bodyOf[2 * p + 1] + 2 or 2 * kl + 1
+      if isLow and room[at] < huge then
+        addWall(b, axis - 1, -axis, separation - room[at], walls[at], 2 * axis + 2)
+      elseif not isLow and room[at] > -huge then
+        addWall(b, 1 - axis, axis, room[at] + separation, walls[at], 2 * axis + 1)
+      end
+    end
+  end
 end
 
 -- Returns where box i ends, if it is to come to no wall, and leaves the half-planes on which it is
@@ -191,9 +205,10 @@ local function findPlace(b, i)
   local startX, startY = b.from[k], b.from[k + 1] -- (no column: `lookUp` may replace that)
   if wallAt(b, i, startX, startY, t) then
     startX, startY, t = b.origin[k], b.origin[k + 1], 0
+    b.from[k], b.from[k + 1], b.time[i] = startX, startY, t -- (else it would walk from in there)
   end
   planes.count = 0
-  addRoom(b, i)
+  addRoom(b, i, startX, startY, t)
   for n = 1, planes.count do
     most = most + wayOf(b, wall[n], b.from)
   end
@@ -208,7 +223,7 @@ local function findPlace(b, i)
     most = most + wayOf(b, j, b.from)
   end
   path.lead(b, i, wantX, wantY)
-  if x and not j and not (other > 0 and areClosing(b, one, other)) then
+  if x and not (j or areClosing(b, one, other)) then
     planes.keepOnly(one, other)
     return x, y
   end
@@ -224,7 +239,7 @@ local function block(b, i, n)
   local across = t == 0 and nx[n] or ny[n]
   if across ~= 0 then
     local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
-    b.pressedSide[at], b.blockedCount = true, b.blockedCount + 1
+    b.pressedAt[at], b.blockedCount = b.solveStamp, b.blockedCount + 1
     work.blocked[b.blockedCount], work.blockedBy[b.blockedCount] = at, wall[n]
   end
 end
@@ -246,7 +261,7 @@ local function put(b, i, x, y)
   for n = 1, planes.count do
     stop(b, k, nx[n])
     stop(b, k + 1, ny[n])
-    b.pressedSide[4 * i + side[n]] = true
+    b.pressedAt[4 * i + side[n]] = b.solveStamp
     if planes.count == 2 then
       block(b, i, n)
     end

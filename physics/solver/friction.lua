@@ -121,14 +121,15 @@ end
 
 -- Adds the load of contact c: the impulse that was taken off body `up` in this step, plus the load
 -- of the bodies on it. The part that its own acceleration has caused counts as weight; the rest is
--- an impact.
+-- an impact. (What its carrier gives it in each step, and a wall takes off again, is no load.)
 local function addLoad(b, list, c, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
   if air ~= 0 then -- air friction that would slow its fall bears no load
     free = start + (path.pullOf(b, up) - air * (speed - b.carried[up])) * dt
   end
-  local impulse, pull = (free - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
+  local gift = b.carried[up] - carriers.given(speed, b.carried[up])
+  local impulse, pull = (free - gift - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
   local load = b.load[up] + impulse
   local weight = min(load, b.weight[up] + pull)
   list.load[c], list.weight[c] = load, weight

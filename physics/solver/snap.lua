@@ -11,7 +11,8 @@
 --
 -- When all paths of the step are known, an object with `snap` that has run off its support is
 -- lowered onto the ground below, together with the objects that stand on it. It is lowered straight
--- down, from the place where it ends, onto the first ground there is; so it passes through nothing.
+-- down, from the place where it ends, onto the first ground there is, unless something round is in
+-- the way; so it passes through nothing.
 -- If it has run over several edges in the step, each edge may be as high as `snap`: the walk along
 -- the ground is made again, with leave to drop that far at each edge.
 --
@@ -20,7 +21,9 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")
+local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
 local constants = require(root .. ".memory.constants")
+local filter = require(root .. ".broadphase.filter")
 local ground = require(root .. ".solver.ground")
 local links = require(root .. ".memory.links")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -49,6 +52,17 @@ local function stands(b, i)
     and b.displacement[k] * b.down[k] >= 0
 end
 
+-- Returns whether slot i ends in something round, beside which it would be lowered.
+local function isInRound(b, i)
+  for _, j, p in links.neighbours(b, i) do
+    local mayTouch = ball.isRound(b, i, j) and filter.areSolid(b, i, j) and not b.passing[p]
+    if mayTouch and ball.gapIn(b, b.to, i, j) < -EPSILON then
+      return true
+    end
+  end
+  return false
+end
+
 -- Puts slot i onto slot j, at a height, unless a rule or the game says that the two pass.
 local function put(b, i, j, k, turn, height)
   local m, place, v, a = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k]
@@ -56,11 +70,12 @@ local function put(b, i, j, k, turn, height)
   b.stack[1] = i
   pairFinder.run(b, b.stack, 1)
   local p = links.pairOf(b, i, j)
-  if not p or rules.passes(b, p, turn > 0 and k or m, turn > 0 and m or k, k % 2, false) then
+  local passes = not p or b.hasRound and isInRound(b, i)
+  if passes or rules.passes(b, p, turn > 0 and k or m, turn > 0 and m or k, k % 2, false) then
     path.finish(b, k, place, v, a)
     return
   end
-  b.pressedSide[2 * k + (turn > 0 and 2 or 1)] = true
+  b.pressedAt[2 * k + (turn > 0 and 2 or 1)] = b.solveStamp
   yielding.leanOn(b, k, m, -turn)
   b.snaps.lowered[i] = (b.to[k] - place) * turn
 end

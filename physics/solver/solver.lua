@@ -189,11 +189,11 @@ end
 -- leaves along the same axis and is never squeezed out sideways.
 local function notePressed(b, axis)
   local list, pressed, hit, contact = b.contacts[axis], b.pressed, b.hit, b.contact
-  local pressedSide = b.pressedSide
+  local pressedAt, stamp = b.pressedAt, b.solveStamp
   for c = 1, list.count do
     local p, kl, kh = list.pair[c], list.low[c], list.high[c]
     if pressed[p] == 1 then
-      pressedSide[2 * kl + 2], pressedSide[2 * kh + 1] = true, true
+      pressedAt[2 * kl + 2], pressedAt[2 * kh + 1] = stamp, stamp
       b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
       if contact[p] == 0 then
         impact.note(b, p, floor(kl * 0.5), axis, max(b.start[kl] - b.start[kh], 0.0), 0)

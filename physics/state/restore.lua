@@ -138,15 +138,16 @@ end
 
 -- Writes a field of all objects, or of those in `odd`.
 local function writeField(st, objects, row, odd)
-  local name, list, at = row.name, st.fields[row.name] or NONE, 1
+  local name, list, numbers, at = row.name, st.fields[row.name] or NONE, odd or NONE, 1
+  local due = list[1] -- the number of the next object that has the field
   for m = 1, odd and #odd or st.count do
-    local n, value = odd and odd[m] or m, nil
-    local object = objects[n]
-    if list[at] == n then
+    local n, value = numbers[m] or m, nil
+    if n == due then
       value, at = list[at + 1], at + 2
+      due = list[at]
     end
-    if object[name] ~= value then
-      write(object, row, value)
+    if objects[n][name] ~= value then
+      write(objects[n], row, value)
     end
   end
 end
@@ -257,10 +258,11 @@ local function restoreColumn(b, list, objects, entry)
   local column, width, usual = b[entry[1]], entry[2], entry[3]
   local slotOf, last, slots = b.slotOf, layout.lastOf(b, entry[1]), b.restored
   local model, y, hint = b[usual], width - 1, entry.hint
+  local mayDiffer = not hint or b[hint]
   if hint then
     b[hint] = b[hint] or #list > 0
   end
-  for m = 1, #slots do
+  for m = 1, mayDiffer and #slots or 0 do
     local k = width * slots[m]
     if slots[m] <= last then
       column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
@@ -285,7 +287,6 @@ local function restoreMemory(b, st, objects)
   end
   for n = 1, #slots do
     local i = slots[n]
-    b.fresh[i] = false
     islands.wake(b, i)
     boxes.stand(b, i)
     if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
@@ -336,8 +337,7 @@ local function restoreEvents(b, st, objects)
       e[VALUES[m]][n] = list[at + 2 + m]
     end
   end
-  e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
-  e.sorted = max(st.sorted or 0, e.told)
+  e.count, e.sorted, e.told, e.heardBy = n, n, st.heardBy and 1 or 0, st.heardBy or 3
 end
 
 --- Brings a world back to the moment at which `st` was saved. Returns the sentence of `misfit`, or

@@ -29,6 +29,10 @@ local GAINED, STRONG = 1.001, 1.25
 function watcher.new(game)
   local self = { game = game, open = {}, was = {}, deep = {}, hit = {}, wrong = nil }
   self.held = {} -- what a machine has crushed, until it is free again
+  self.vices = {} -- machines that nothing stops
+  for _, machine in ipairs(game.machines) do
+    table.insert(self.vices, machine.kinematic and machine or nil)
+  end
   local world = game.world
   function world.onBegin(a, b)
     local row = self.open[a] or {}
@@ -68,17 +72,31 @@ local function isSlope(object)
   return object and object.slope
 end
 
--- Returns the energy of all that moves, if each were faster by `more` px/s; nil: of what has moved.
--- (A box that walks on a slope keeps its velocity on x, and has one on y besides.)
-local function energyOf(movers, more)
+-- Returns whether an object touches a slope, which need not be its widest neighbour on a side.
+local function isOnSlope(object, solids)
+  if isSlope(object.touching.top) or isSlope(object.touching.bottom) then
+    return true
+  end
+  for _, solid in ipairs(solids) do
+    if solid.slope and overlap.depth(object, solid) > -SEEN then
+      return true
+    end
+  end
+  return false
+end
+
+-- Returns the energy of all that moves, if each were faster by `more` px/s; nil: of what has moved,
+-- but for balls that a vice shoots out. (A box that walks on a slope, or below one, keeps its
+-- velocity on x, and has one on y besides.)
+local function energyOf(self, more)
   local energy = 0
-  for _, object in ipairs(movers) do
-    local vx, vy, t = object.vx or 0, object.vy or 0, object.touching
-    if not (more or object.radius) and (isSlope(t.top) or isSlope(t.bottom)) then
+  for _, object in ipairs(self.game.movers) do
+    local vx, vy, isShot = object.vx or 0, object.vy or 0, self.was[object].isSqueezed
+    if not (more or object.radius) and isOnSlope(object, self.game.solids) then
       vy = 0
     end
     local speed = sqrt(vx * vx + vy * vy) + (more or 0)
-    energy = energy + (object.mass or 1) / 2 * speed * speed
+    energy = energy + (not more and isShot and 0 or (object.mass or 1) / 2 * speed * speed)
   end
   return energy
 end
@@ -94,12 +112,13 @@ function watcher.note(self, dt)
     was.vx, was.vy = object.vx or 0, object.vy or 0
     was.isAcross, was.isAlong = t.left or t.right, t.top or t.bottom
     was.isPressed = object.radius and isIn(object, game.machines, PRESSED)
+    was.isSqueezed = object.radius and isIn(object, self.vices, PRESSED)
     isCarried = isCarried or isIn(object, game.carriers, NEAR)
     self.fastest = max(self.fastest, abs(was.vx), abs(was.vy))
   end
   -- What a machine pushes, and what that pushes, gets its speed.
   local gain = game.pull * dt + (isCarried and game.carry or 0)
-  self.energy = energyOf(game.movers, gain)
+  self.energy = energyOf(self, gain)
 end
 
 local function isLost(object, room)
@@ -114,14 +133,14 @@ local function isLost(object, room)
 end
 
 -- How much farther an object has gone than it may: by the fastest speed of all (a ball in a crowd
--- is squeezed out at up to `vice` times that, see docs/reliability.md), its carrier's way, `snap`
--- and `nudge`, and a sixteenth of its size.
+-- is squeezed out at up to `vice` times that, see docs/reliability.md), what it gains in the step
+-- before something slows it, its carrier's way, `snap` and `nudge`, and a sixteenth of its size.
 local function jumped(self, object, dt)
   local was, game = self.was[object], self.game
   local speed = max(self.fastest, abs(object.vx or 0), abs(object.vy or 0))
   speed = speed * (object.radius and game.vice or 1)
   local more = (object.snap or 0) + (object.nudge or 0) + min(object.width, object.height) / 16
-  local own = (speed + game.carry + (game.soft or 0)) * dt + more + SEEN
+  local own = (speed + game.pull * dt / 2 + game.carry + (game.soft or 0)) * dt + more + SEEN
   return max(abs(object.x - was.x), abs(object.y - was.y)) - own
 end
 
@@ -188,7 +207,9 @@ function watcher.check(self, dt)
   end
   for n, object in ipairs(game.movers) do
     -- It may be pressed into something, and is sent elsewhere; a ball shoots out of a vice.
-    local isHeld = self.held[object] or object.radius and isIn(object, game.machines, SEEN)
+    local isHeld = self.held[object]
+      or self.was[object].isSqueezed
+      or object.radius and isIn(object, game.machines, SEEN)
     if not isHeld and isLost(object, game.room) then
       return "lost", ("%d is at %g, %g"):format(n, object.x, object.y)
     end
@@ -208,7 +229,7 @@ function watcher.check(self, dt)
       return "stop", ("%d stops dead at %g, %g"):format(n, object.x, object.y)
     end
   end
-  local energy = energyOf(game.movers)
+  local energy = energyOf(self)
   local gained = game.hero and game.hero.strength and STRONG or GAINED
   if energy > self.energy * gained and not next(self.held) then
     return "energy", ("%g of %g"):format(energy, self.energy)

@@ -107,26 +107,6 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
     end)
   end)
 
-  it("where a state is restored in which tiles are there that have just come, or gone", function()
-    fresh.during(function(physics)
-      guard(require("physics.memory.arrays"))
-      local world = physics.newWorld()
-      local tiles = world:addTiles("earth", { ("#."):rep(40) }, nil, 16)
-      world:add("boxes", { x = 0, y = 900, width = 8, height = 8 })
-      for column = 1, 79, 2 do
-        local state = world:save()
-        tiles:setTile(column, 1, 0)
-        tiles:setTile(column + 1, 1, "#")
-        world:queryPoint(0, 0)
-        world:save()
-        tiles:setTile(column + 1, 1, 0)
-        world:restore(state)
-        world:update(1 / 60)
-      end
-      assert.equal(40, #world.objects.earth)
-    end)
-  end)
-
   it("where a method is called for tiles that lie alone, or a state has them ride", function()
     fresh.during(function(physics)
       guard(require("physics.memory.arrays"))

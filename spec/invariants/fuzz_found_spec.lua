@@ -4,7 +4,6 @@
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
-local small = require("spec.support.small")
 local trial = require("spec.fuzz.trial")
 
 effort.interpretQuickly(setup, teardown)
@@ -54,37 +53,6 @@ describe("a review has found that", function()
         local way = math.abs(box.x - before[n])
         assert.is_true(way < 9 * 23, ("step %d: box %d went %g px"):format(step, n, way))
       end
-    end
-  end)
-
-  -- Five boxes in each other, and a lift comes down on them. Far away a box stands, or floats.
-  it("what rubs elsewhere does not change how a knot is squeezed", function()
-    local function play(gravity)
-      local world = physics.newWorld({ gravity = 800, rest = false })
-      local boxes = {}
-      world:add("floors", { x = -40, y = 60, width = 100, height = 8, static = true })
-      world:add("floors", { x = 900, y = 60, width = 100, height = 8, static = true })
-      local lift = { x = 0, y = -40, width = 40, height = 8, kinematic = true, vx = -20, vy = 60 }
-      world:add("lifts", lift)
-      for n, box in ipairs({
-        { 8, 32, 16, 16, 2 },
-        { 4, 20, 16, 16, 1 },
-        { 8, 28, 8, 8, 2 },
-        { 4, 12, 8, 8, 3 },
-        { 8, 32, 16, 8, 1 },
-      }) do
-        boxes[n] = { x = box[1], y = box[2], width = box[3], height = box[4], mass = box[5] }
-        world:add("boxes", boxes[n])
-      end
-      local other = { x = 900, y = 52, width = 8, height = 8, friction = 1, gravity = gravity }
-      world:add("others", other)
-      small.run(world, 100)
-      return boxes
-    end
-    local boxes = play(0)
-    for n, box in ipairs(play(800)) do
-      assert.equal(boxes[n].x, box.x)
-      assert.equal(boxes[n].y, box.y)
     end
   end)
 end)

@@ -199,8 +199,7 @@ it("a case that fails is made small, as long as it fails", function()
     { short.acts[1][1], short.acts[2][1], short.acts[3][1] },
     short.settings,
   })
-  assert.equal(3, #short.acts)
-  assert.equal(3, failure.at)
+  assert.same({ 3, 3 }, { #short.acts, failure.at })
   assert.is_nil(short.acts[1][4].mass)
   assert.is_true(short.acts[1][4].width > 5)
 end)

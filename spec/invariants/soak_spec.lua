@@ -80,16 +80,4 @@ describe("x and y: ten million pixels from the origin", function()
       assert.is_true(math.abs(boxes[i].y + boxes[i].height - below.y) <= 1e-6)
     end
   end)
-
-  small.rows("a jump is as high as anywhere, at {1}, {2}", PLACES, function(x, y)
-    local here, there = physics.newWorld({ gravity = 800 }), physics.newWorld({ gravity = 800 })
-    local a = here:add("boxes", { x = 0, y = 0, width = 10, height = 10, vx = 77.7, vy = -400 })
-    local b = there:add("boxes", { x = x, y = y, width = 10, height = 10, vx = 77.7 })
-    b.vy = -400
-    for _ = 1, 120 do
-      here:update(1 / 60)
-      there:update(1 / 60)
-      assert.is_true(math.abs(b.x - x - a.x) <= 1e-6 and math.abs(b.y - y - a.y) <= 1e-6)
-    end
-  end)
 end)

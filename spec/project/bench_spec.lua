@@ -10,42 +10,29 @@ local scenes = require("bench.scenes")
 local small = require("spec.support.small")
 local statistics = require("bench.statistics")
 
-describe("statistics", function()
-  for _, row in ipairs({
-    -- values, median, p99, mean
-    { { 5 }, 5, 5, 5 },
-    { { 3, 1 }, 2, 3, 2 },
-    { { 9, 1, 2 }, 2, 9, 4 },
-    { { 4, 1, 3, 2 }, 2.5, 4, 2.5 },
-  }) do
-    it("knows median, p99 and mean of " .. table.concat(row[1], ", "), function()
-      assert.equal(row[2], statistics.median(row[1]))
-      assert.equal(row[3], statistics.quantile(row[1], 0.99))
-      assert.equal(row[4], statistics.mean(row[1]))
-    end)
-  end
+small.rows("statistics know median, p99 and mean: {2}, {3}, {4}", {
+  { { 5 }, 5, 5, 5 },
+  { { 3, 1 }, 2, 3, 2 },
+  { { 9, 1, 2 }, 2, 9, 4 },
+  { { 4, 1, 3, 2 }, 2.5, 4, 2.5 },
+}, function(values, median, p99, mean)
+  local found = { statistics.median(values), statistics.quantile(values, 0.99) }
+  assert.same({ median, p99, mean }, { found[1], found[2], statistics.mean(values) })
 end)
 
-describe("the overlap measure", function()
-  local function box(x, y, width, height, kind)
-    return { x = x, y = y, width = width, height = height, static = kind == "static" }
-  end
-
-  small.rows("counts {1}", {
-    --   +---+        +--+--+      +------+
-    --   | +-+-+      +--+--+      | +--+ |
-    --   +-+ | |                   | +--+ |
-    --     +---+      flush        +------+
-    { "corners by the smaller way out", 3, box(0, 0, 10, 10), box(5, 7, 10, 10) },
-    { "flush boxes not at all", 0, box(0, 0, 10, 10), box(10, 0, 10, 10) },
-    { "a box inside another by its size", 4, box(0, 0, 20, 20), box(8, 8, 4, 4) },
-    { "a box in a wall", 2, box(0, 0, 10, 10), box(-50, 8, 100, 5, "static") },
-    { "two walls not at all", 0, box(0, 0, 9, 9, "static"), box(5, 5, 9, 9, "static") },
-    { "boxes far apart not at all", 0, box(0, 0, 10, 10), box(100, 0, 10, 10) },
-  }, function(_, expected, one, other)
-    assert.equal(expected, (overlap.checker({ one, other })()))
-    assert.equal(expected, (overlap.checker({ other, one })()))
-  end)
+--   +---+        +--+--+      +------+
+--   | +-+-+      +--+--+      | +--+ |
+--   +-+ | |                   | +--+ |
+--     +---+      flush        +------+
+small.rows("the overlap measure counts {1}", {
+  { "corners by the smaller way out", 3, small.put(0, 0, 10, 10), small.put(5, 7, 10, 10) },
+  { "flush boxes not at all", 0, small.put(0, 0, 10, 10), small.put(10, 0, 10, 10) },
+  { "a box inside another by its size", 4, small.put(0, 0, 20, 20), small.put(8, 8, 4, 4) },
+  { "a box in a wall", 2, small.put(0, 0, 10, 10), small.tile(-50, 8, 100, 5) },
+  { "two walls not at all", 0, small.tile(0, 0, 9, 9), small.tile(5, 5, 9, 9) },
+}, function(_, expected, one, other)
+  assert.equal(expected, (overlap.checker({ one, other })()))
+  assert.equal(expected, (overlap.checker({ other, one })()))
 end)
 
 it("the command line reads --name value and --name=value, and refuses what is wrong", function()
@@ -167,8 +154,7 @@ it("a measurement plays all frames, and finds the overlap of every tenth", funct
     return world.objects[index].x, 0
   end
   local result = measure.times(engine, newScene({ worlds = 2, steps = 20 }), 60)
-  assert.equal(20, result.steps)
-  assert.is_false(result.isLimited)
+  assert.same({ 20, false }, { result.steps, result.isLimited })
   assert.truthy(result.median <= result.p99 and result.p99 <= result.worst)
   local moving = newScene({ worlds = 1, warmUp = 2, steps = 20 })
   moving.frame = function(world)

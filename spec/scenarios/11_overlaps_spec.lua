@@ -268,19 +268,4 @@ describe("width and height: growing where there is no room", function()
       end)
     end
   end
-
-  scene.it("and shrinking again leaves it standing on the floor", GROWN, function(run)
-    local named = run:build({
-      tile("floor", 0, 300, 600, 16),
-      tile("ceiling", 0, 268, 600, 8),
-      movable("man", 100, 280, 20, 20),
-    })
-    run:play(1 / 6)
-    write(run, named.man, 100, 260, 20, 40)
-    run:play(0.5)
-    write(run, named.man, 100, named.man.y + 10, 20, 20)
-    run:play(1)
-    run:at(named.man, 100, 280)
-    run:still(named.man)
-  end)
 end)

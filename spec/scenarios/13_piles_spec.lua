@@ -6,7 +6,6 @@ local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
-local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 local GRID = { shift = { 0 }, order = { "forward" }, broadphase = { "grid" }, push = { "both" } }
 local SMALL = {
@@ -131,68 +130,6 @@ describe("friction: a pile", function()
       local movers, fastest = countMovers(run)
       run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
       checkInside(run, 200)
-    end)
-  end
-end)
-
---- Knots: a few boxes taken out of random worlds in which they ended a step inside each other.
---- A line each: x, y, width, height, vx, vy, then other fields.
--- luacheck: push no max line length
-local KNOTS = {
-  {
-    name = "five that fall and catch up on both axes",
-    rate = 60,
-    boxes = [[
-      106.5769728 226.1868046 18.15570319 14.90344928 -78.613184 0 mass=3.392474876 drag=45.57112418
-      124.732676 232.3102197 12.87753793 8.780034137 -78.613184 0 mass=7.081154435
-      94.75274826 220.8196379 5.955127226 15.82339977 20.43573459 325.5331617 airFriction=1.462510728 maxSpeed=329.3453471
-      101.0022641 233.5643176 5.571303757 12.90234856 -78.92569519 392.9893165 mass=0.2872013768
-      83.06871011 228.1320168 8.843800736 5.759049097 126.2029638 424.9000256 friction=0.1616424831
-    ]],
-  },
-  {
-    name = "three in a row that slide, the light one between has no friction",
-    rate = 144,
-    boxes = [[
-      -50 200 300 50 0 0 static
-      3.51273388 190.15441 14.0209345 9.84559046 -2.07303249 0 mass=10.4325396 restitution=0.0901232691 friction=0.862971559
-      17.5336683 186.071513 15.80234 13.928487 -2.07303249 0 mass=0.0114912084 restitution=0.130531491
-      33.3360083 185.876684 12.1867153 14.1233162 -2.07303249 0 mass=0.80659147 restitution=0.0106247864 friction=0.487031589
-    ]],
-  },
-}
-
--- luacheck: pop
-
--- A box of a line of KNOTS.
-local function boxOf(line)
-  local numbers, box = {}, { static = line:find("static") ~= nil }
-  for word in line:gmatch("%S+") do
-    numbers[#numbers + 1] = tonumber(word)
-  end
-  for field, value in line:gmatch("(%a+)=(%S+)") do
-    box[field] = tonumber(value)
-  end
-  box.x, box.y, box.width, box.height, box.vx, box.vy = unpack(numbers)
-  return box
-end
-
-describe("x and y: a knot of boxes does not overlap:", function()
-  for _, knot in ipairs(KNOTS) do
-    local levels = { shift = { 0, 0.1 }, order = { "forward" }, push = { "both" } }
-    scene.it(knot.name, levels, function(run)
-      local description = { gravity = 800 }
-      for line in knot.boxes:gmatch("%S[^\n]*") do
-        description[#description + 1] = { "boxes", boxOf(line) }
-      end
-      run:build(description)
-      local deepest = overlap.checker(run.all)
-      run:check(deepest() <= 1e-6, "they overlap before the step")
-      for _ = 1, 6 do
-        run:step(1 / knot.rate)
-        local depth = deepest()
-        run:check(depth <= 1e-6, "overlap of %.3g px", depth)
-      end
     end)
   end
 end)

@@ -69,14 +69,6 @@ describe("gravity and gravityX: up, left and right is down, turned round:", func
     checkTurned(description, 3)
   end)
 
-  it("a strong one runs into three", function()
-    local description = { FLOOR, box("strong", 0, 184, { vx = 80, strength = 1, mass = 3 }) }
-    for n, fields in ipairs({ { vx = -120, mass = 3 }, { vx = 40 }, { vx = -120 } }) do
-      description[n + 2] = box("box" .. n, 2 + 16 * n, 184, fields)
-    end
-    checkTurned(description, 0.5)
-  end)
-
   it("a pile with friction", function()
     local random, description = newRandom(23), { FLOOR }
     description[2] = { "tiles", { x = -16, y = -400, width = 16, height = 600, static = true } }

@@ -268,37 +268,37 @@ end)
 describe("nudge: up stairs", function()
   local LEVELS = { rate = { 60, 30, 144, 240 }, shift = { 0, 0.1, 1 / 3 } }
   LEVELS.order = { "forward", "backward" }
-  for _, given in ipairs({
-    -- width and height of a stair, px, speed, px/s
-    { 1, 1, 120 },
-    { 1, 1, 60 },
-    { 2, 1, 120 },
-    { 4, 2, 120 },
-    { 8, 4, 200 },
-    { 16, 8, 400 },
-    { 3, 4, 90 },
-  }) do
-    local width, height, speed = given[1], given[2], given[3]
-    local title = "of %g x %g px at %g px/s it stands in every step"
-    scene.it(title:format(width, height, speed), LEVELS, function(run)
-      for _, way in ipairs({ 1, -1 }) do
-        local description = { solid("floor", -500, 100, 1000, 16) }
-        for i = 1, 40 do
-          local x = way * (40 + width * (i - 1)) - (way < 0 and width or 0)
-          description[i + 1] = solid("stair" .. i, x, 100 - height * i, width, height * i)
-        end
-        description[42] =
-          scene.maker("bodies")("man", way > 0 and 0 or -16, 76, 16, 24, { nudge = height })
-        local named = run:build(description)
-        run:step(1 / run.rate)
-        for _ = 1, math.floor((24 + 40 * width) / speed * run.rate) do
-          named.man.vx = way * speed
-          run:step(1 / run.rate)
-          local foot = named.man.raw.touching.bottom
-          run:check(foot, "in the air at %.9g, %.9g", named.man.x, named.man.y)
-        end
-        run:check(named.man.y < 76 - 10 * height, "it came up to y = %.9g only", named.man.y)
-      end
-    end)
+  local function stairs(v)
+    local list = { solid("ground", -500, 100, 1000, 16) }
+    for i = 1, 40 do
+      local x = v.way * (40 + v.width * (i - 1)) - (v.way < 0 and v.width or 0)
+      list[i + 1] = solid("stair" .. i, x, 100 - v.height * i, v.width, v.height * i)
+    end
+    list[42] = body(v.way > 0 and 0 or -16, 76, 0, 0, { nudge = v.height })
+    return list
   end
+  row(
+    "of {width} x {height} px at {speed} px/s it stands in every step, way {way}",
+    LEVELS,
+    stairs,
+    {
+      { steps = 1 },
+      {
+        time = "floor((24 + 40 * width) / speed * run.rate) / run.rate",
+        keep = "body.vx = way * speed",
+        "body.touching.bottom ~= false",
+      },
+      "body.y < 76 - 10 * height",
+    },
+    {
+      "way, width, height, speed",
+      { 1, 1, 1, 120 },
+      { -1, 1, 1, 60 },
+      { -1, 2, 1, 120 },
+      { 1, 4, 2, 120 },
+      { -1, 8, 4, 200 },
+      { 1, 16, 8, 400 },
+      { -1, 3, 4, 90 },
+    }
+  )
 end)

@@ -15,8 +15,6 @@ local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
 local small = require("spec.support.small")
 
-local long = effort.isFirst and it or pending
-
 -- px, the largest overlap of a crowd that starts apart. Less than a player sees.
 local DEPTH = 0.01
 -- px, where it presses from all sides against what cannot be pushed: what is between has no way out
@@ -119,23 +117,6 @@ describe("x, vx and pushable: a crowd", function()
         sums[i] = sum
       end
       assert.same({ sums[1], sums[1], sums[1], sums[1] }, sums)
-    end
-  end)
-
-  -- Balls that boxes press part slanted: what a wall holds must not push through to the player.
-  long("of boxes and balls leaves an unpushable player in a lane where it is", function()
-    for seed = 1, effort.share(2) do
-      local options = { count = effort.share(120, 60), seed = seed, goal = "firm", drive = "vx" }
-      options.balls = 0.4
-      local crowd = crowds.new(options)
-      for _, y in ipairs({ -60, 40 }) do
-        crowd.world:add("walls", { x = -80, y = y, width = 160, height = 20, static = true })
-      end
-      for step = 1, effort.share(400, 150) do
-        crowd:step(1 / 60)
-        local way = math.max(math.abs(crowd.player.x + 8), math.abs(crowd.player.y + 12))
-        assert.same({ seed, step, true }, { seed, step, way < 1e-8 }) -- places are rounded
-      end
     end
   end)
 

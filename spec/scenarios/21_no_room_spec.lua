@@ -109,8 +109,6 @@ local FLOOR = wall(-600, 100, 1200, 16)
 
 local SPOTS = {
   { "20 in the open", { gravity = 0 }, spot(20, 0, 0, 8) },
-  { "60 in the open", { gravity = 0 }, spot(60, 0, 0, 8) },
-  { "20 wide ones in the open", { gravity = 0 }, spot(20, 0, 0, 24, 6) },
   {
     "40 in a corner",
     { gravity = 0, wall(-2, -400, 2, 402), wall(0, 0, 400, 2) },
@@ -119,11 +117,9 @@ local SPOTS = {
   { "40 in a corner of a floor", { FLOOR, wall(-20, -300, 20, 400) }, spot(40, 0, 92, 8) },
   { "16 in a corridor of 64 px", { FLOOR, wall(-600, 20, 1200, 16) }, spot(16, 0, 60, 16) },
   { "16 in a corridor, on its floor", { FLOOR, wall(-600, 20, 1200, 16) }, spot(16, 0, 84, 16) },
-  { "8 in a corridor of 100 px", { FLOOR, wall(-600, -16, 1200, 16) }, spot(8, 0, 40, 16) },
   { "30 in a corridor of 20 px", { FLOOR, wall(-600, 64, 1200, 16) }, spot(30, 0, 85, 8) },
   { "30 under a ceiling of 4 px", { FLOOR, wall(-300, -104, 600, 4) }, spot(30, 0, -100, 8) },
   { "20 in a niche", { FLOOR, wall(-20, 0, 20, 100), wall(0, 40, 100, 8) }, spot(20, 0, 48, 8) },
-  { "40 on a floor", { FLOOR }, spot(40, 0, 92, 8) },
   { "20 on a thin shelf", { FLOOR, wall(-100, 40, 200, 1) }, spot(20, 0, 32, 8) },
 }
 
@@ -228,49 +224,6 @@ describe("x, y and width: a closed room", function()
       scene.watch(run, watch, count < MANY and REST or REST_OF_MANY)
       expectRest(run, watch)
     end)
-  end)
-
-  it("lets none through the other walls when one goes", function()
-    scene.each(LEVELS, function(run)
-      local description = join({ gravity = 0 }, walls(60, 60))
-      local way = description[2][2]
-      way.name = "way"
-      local named, watch = build(run, join(description, scatter(40, 3, 12, 60, 60)))
-      scene.watch(run, watch, 1)
-      local raw = named.way.raw
-      run.world:remove(raw)
-      for i = #run.all, 1, -1 do
-        if run.all[i] == raw then
-          table.remove(run.all, i)
-        end
-      end
-      watch = motion.new(run.world, run.all)
-      scene.watch(run, watch, 3 * APART)
-      overlap.expectApart(run)
-    end)
-  end)
-
-  it("in which boxes grow until there is no room keeps them in", function()
-    for _, gravity in ipairs(effort.isWhole and { 0, 800 } or { 800 }) do
-      scene.each(LEVELS, function(run)
-        local description, boxes = join({ gravity = gravity }, walls(96, 96)), {}
-        for i = 0, 15 do
-          boxes[i + 1] = box(24 * (i % 4) + 8, 24 * math.floor(i / 4) + 8, 8, 8)
-          boxes[i + 1][2].name = "box" .. i
-        end
-        local named, watch = build(run, join(description, boxes))
-        scene.watch(run, watch, 2, function(time)
-          local size = 8 + 9 * time -- px; at 24 px the room is full
-          for i = 0, 15 do
-            local raw = named["box" .. i].raw
-            local more = (size - raw.width) / 2
-            raw.x, raw.y, raw.width, raw.height = raw.x - more, raw.y - more, size, size
-          end
-        end)
-        scene.watch(run, watch, REST)
-        expectRest(run, watch)
-      end)
-    end
   end)
 end)
 

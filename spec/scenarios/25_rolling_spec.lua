@@ -87,24 +87,6 @@ describe("slope and radius: a ball on a slope", function()
     end
   end)
 
-  it("rolls in the same way wherever gravity points", function()
-    for _, way in ipairs({ { "left", 0, 1 }, { "topright", 0, -1 }, { "left", 1, 0 } }) do
-      local world = physics.newWorld({ gravity = way[3] * 800, gravityX = way[2] * 800 })
-      local slope = static(0, 0, 1000, 1000, way[1])
-      local isTurned = way[2] ~= 0 -- the edge is the same, and gravity leads up along it
-      local ball = ballOn(slope, 500)
-      if way[1] == "topright" then
-        ball.x, ball.y = 1000 - ball.x - 2 * R, 1000 - ball.y - 2 * R
-      end
-      world:add("ground", slope)
-      world:add("balls", ball)
-      local out = isTurned and 0 or way[3] -- gravity to the right pulls it off the edge
-      each(0.5, 60, world, function() end)
-      near(isTurned and 400 or out * 200, ball.vx)
-      near(isTurned and 0 or out * 200, ball.vy)
-    end
-  end)
-
   --  |\_
   --  |  \_  tiles
   --  |____\______
@@ -150,17 +132,6 @@ describe("slope and radius: a ball on a slope", function()
     near(192, ball.x)
     near(0, gapOf(ball, ground[1]))
     near(0, gapOf(ball, ground[2]))
-  end)
-
-  small.rows("that hangs is led along it: {1}", RATES, function(rate)
-    local world, ground = newWorld(static(0, 0, 400, 200, "topleft"))
-    world.gravity = 0
-    local ball = world:add("balls", { x = 192, y = 250, radius = R, vy = -300 })
-    each(0.9, rate, world, function()
-      assert.is_true(gapTo(ball, ground) >= -1e-6)
-    end)
-    near(300 * 2 / 5, ball.vx)
-    near(-300 / 5, ball.vy)
   end)
 
   small.rows("passes a one-way, rolls on it, drops through, {1} Hz", RATES, function(rate)

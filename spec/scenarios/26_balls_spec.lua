@@ -1,13 +1,11 @@
 --- Balls: circles that are no sensors.
 
 local effort = require("spec.support.effort")
-local newRandom = require("spec.support.random").new
-local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local small = require("spec.support.small")
 local yielding = require("physics.narrowphase.yielding")
 
-local run, tile = small.play, small.tile
+local ball, run, tile = small.ball, small.play, small.tile
 
 local long = effort.isFirst and it or pending
 
@@ -15,24 +13,8 @@ local RATES = { 30, 60, 144, 240 }
 -- px/s: a corner is met 2e-9 of a step later than a face, so its normal is a little another one.
 local LATER = 1e-6
 
-local function ball(x, y, radius, changes)
-  local object = small.put(x - radius, y - radius, nil, nil, changes)
-  object.radius = radius
-  return object
-end
-
 local function near(expected, value, tolerance)
-  assert.is_true(
-    math.abs(expected - value) <= (tolerance or 1e-9),
-    ("%.12g, not %.12g"):format(value, expected)
-  )
-end
-
-local function addRoom(world, width, height)
-  world:add("walls", tile(-20, height, width + 40, 20))
-  world:add("walls", tile(-20, -20, width + 40, 20))
-  world:add("walls", tile(-20, 0, 20, height))
-  world:add("walls", tile(width, 0, 20, height))
+  assert.near(expected, value, tolerance or 1e-9)
 end
 
 describe("radius: a ball", function()
@@ -40,7 +22,7 @@ describe("radius: a ball", function()
     local worlds = {}
     for n = 1, 2 do
       local world = physics.newWorld({ gravity = 700 })
-      addRoom(world, 300, 200)
+      world:setBounds(0, 0, 300, 200)
       local object = ball(60, 60, 10, { vx = 130, restitution = 0.7, friction = 0.2 })
       if n == 2 then
         object.radius, object.width, object.height = nil, 20, 20
@@ -75,15 +57,6 @@ describe("radius: a ball", function()
     near(-192, object.vy, LATER)
     near(94 + 0.8 * 56 - 10 + speed, object.x, 1e-6)
     near(92 - 0.8 * 192 - 10, object.y, 1e-6)
-  end)
-
-  small.rows("slides off it without a bounce, at {1} Hz", RATES, function(rate)
-    local world = physics.newWorld({ gravity = 0 })
-    world:add("walls", tile(100, 100, 50, 50))
-    local object = world:add("balls", ball(54, 92, 10, { vx = 200 }))
-    run(world, 0.5, rate)
-    near(200 - 0.6 * 120, object.vx, LATER)
-    near(-0.8 * 120, object.vy, LATER)
   end)
 
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
@@ -206,18 +179,6 @@ describe("radius: a ball", function()
     end
     assert.is_true(object.y < -80)
     assert.same({ 1, 1 }, { begins, ends })
-  end)
-
-  it("slides down the flank of a stone without friction: its energy is kept", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("stones", ball(100, 100, 50, { static = true }))
-    -- At 45 degrees and a bit; 60 px from centre to centre.
-    local object = world:add("balls", ball(100 + 48, 100 - 36, 10))
-    local from = object.y
-    run(world, 0.4, 240)
-    local speed = math.sqrt(object.vx ^ 2 + object.vy ^ 2)
-    near(math.sqrt(2 * 800 * (object.y - from)), speed, 4)
-    assert.is_true(object.vx > 20)
   end)
 
   it("is what world:move and world:sweep see", function()
@@ -407,31 +368,6 @@ describe("radius, strength and mass: a round player", function()
       for ulps = -2, 2 do
         local strong, weak = yielding.share(true, 1 / 3, n / 9, v, v + ulps * 2 ^ -46)
         assert.near(0.6 / n, strong / weak, 1e-12)
-      end
-    end
-  end)
-
-  it("contains no object that walks along a wall through a crowd of circles", function()
-    for _, rate in ipairs({ 30, 60 }) do
-      local random, world, list = newRandom(4), physics.newWorld({ gravity = 0 }), {}
-      world:add("walls", tile(800, 0, 24, 900))
-      local player = world:add("players", ball(787, 773, 13, { strength = 1, mass = 10 }))
-      for n = 1, 24 do
-        local radius = random:pick({ 7, 11, 17 })
-        local x, y = 800 - radius - random:between(0, 90), 700 - 16 * n + radius
-        list[n] = world:add("enemies", ball(x, y, radius, { mass = radius * radius / 100 }))
-      end
-      for step = 1, 4 * rate do
-        player.vx, player.vy = 0, step > rate and step < 2.5 * rate and -150 or 0
-        for _, one in ipairs(list) do
-          local x, y = player.x + 13 - one.x - one.radius, player.y + 13 - one.y - one.radius
-          local share = 80 / math.max(1, math.sqrt(x * x + y * y))
-          one.vx, one.vy = x * share, y * share
-        end
-        world:update(1 / rate)
-        for _, one in ipairs(list) do
-          assert.is_true(overlap.depth(player, one) < 0.3)
-        end
       end
     end
   end)

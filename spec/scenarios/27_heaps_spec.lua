@@ -240,32 +240,6 @@ describe("radius: a heap of balls", function()
     assert.is_true(depths(world.objects.balls, 340) < 0.1)
   end)
 
-  it("comes to rest with as many boxes in it #slow", function()
-    local world, random = newShaft({}, 692), newRandom(1)
-    for i = 0, 299 do
-      local width, height = random:between(10, 20), random:between(10, 20)
-      local x, y = i % 30 * 23 + random:between(0, 3), 280 - (i - i % 30) / 30 * 23
-      local object = { x = x, y = y, width = width, height = height, friction = 0.3 }
-      if i % 2 == 0 then
-        object.height, object.radius = width, width / 2
-      end
-      world:add("balls", object)
-    end
-    run(world, 10)
-    assert.are.equal(300, world.stats.resting)
-  end)
-
-  long("is the same with rest, and with pairs and without rest", function()
-    -- Half a second after the last one has come down, if it is a selection.
-    local hashes, seconds = {}, effort.isWhole and 6 or 2
-    for n, settings in ipairs({ {}, { rest = false, broadphase = "pairs" } }) do
-      local world = newHeap("poured", 5, settings)
-      run(world, seconds)
-      hashes[n] = world:hash()
-    end
-    assert.are.equal(hashes[1], hashes[2])
-  end)
-
   it("goes on in the same way if it is restored among boxes", function()
     local world = newHeap("mixed", 5)
     for _ = 1, effort.isWhole and 24 or 12 do
@@ -330,21 +304,6 @@ describe("radius: a heap of balls", function()
       low = math.max(low, object.y + object.height)
     end
     assert.near(400, low, 1e-3)
-  end)
-
-  it("is struck apart by a fast ball", function()
-    local world = newTen(20)
-    local before = {}
-    for n, object in ipairs(world.objects.balls) do
-      before[n] = object.x
-    end
-    world:add("shots", { x = 135, y = 380, radius = 9, mass = 20, vx = -400 })
-    run(world, 0.5)
-    local most = 0
-    for n, object in ipairs(world.objects.balls) do
-      most = math.max(most, math.abs(object.x - before[n]))
-    end
-    assert.is_true(most > 10, most)
   end)
 
   it("is pushed by a player that walks against it", function()

@@ -157,5 +157,37 @@ describe("slope: a wedge", function()
         assertAt(100 + 22 * 83 / 44, 23, one)
       end
     end)
+
+    --     [hero]\#|      a slope whose thin end is at the hero's feet, and another one above
+    --     [    ]->\|
+    --     ####.-'  .-'
+    it(("stops a dash that would end behind the tip of a slope: %d Hz"):format(rate), function()
+      for _, speed in ipairs({ 60, 130, 300, 500, 900, 3000 }) do
+        local world = physics.newWorld({ gravity = 900 })
+        slope(world, 288, 144, 16, 16, "topright")
+        slope(world, 272, 176, 16, 16, "topleft")
+        slope(world, 288, 176, 16, 16, "right")
+        local hero = count(world:add("heroes", { x = 276, y = 152, width = 12, height = 24 }))
+        steer(world, hero, 0.5, rate, { vx = speed, vy = 0 })
+        assertAt(284, 152, hero)
+        steer(world, hero, 0.5, rate, { vx = -8 })
+        assertAt(280, 152, hero)
+        assert.equal(0, hero.crushes)
+      end
+    end)
+
+    --  train -> [one][two]|         two is in a hole, whose edge is the upright side of a slope
+    --  =========     [   ]|.-'
+    it(("tells that a train crushes two crates in it: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      slope(world, 192, 208, 16, 16, "right")
+      slope(world, 224, 208, 16, 16, "topleft")
+      local one = count(world:add("crates", { x = 196, y = 194, width = 14, height = 14 }))
+      local two = count(world:add("crates", { x = 210, y = 195, width = 14, height = 14 }))
+      local train = { x = 132, y = 200, width = 64, height = 8, vx = 60, kinematic = true }
+      world:add("trains", train)
+      small.play(world, 0.1, rate)
+      assert.same({ 1, 1 }, { one.crushes, two.crushes })
+    end)
   end
 end)

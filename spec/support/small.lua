@@ -34,6 +34,13 @@ function small.tile(x, y, width, height, fields)
   return object
 end
 
+--- The same that is a circle around x, y.
+function small.ball(x, y, radius, fields)
+  local object = small.put(x - radius, y - radius, 2 * radius, 2 * radius, fields)
+  object.radius = radius
+  return object
+end
+
 --- A floor of 800 px, on which a box of 16 px stands at y = 84.
 function small.floor()
   return small.tile(-200, 100, 800, 16)
