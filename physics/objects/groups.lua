@@ -196,27 +196,20 @@ local function readChanges(b, record, first, isAll)
   end
 end
 
--- Returns whether there are other groups than those that were seen last, or in another order.
-local function differ(self, objects)
-  local n, isOther = 0, self.reorder or not rawequal(self.source, objects)
-  for name, value in next, isOther and {} or objects, nil do
-    local record = self.byName[name]
-    if not record or not rawequal(record.source, value) then
-      return true
-    end
-    n = n + 1
-  end
-  return isOther or n ~= #self.groups
-end
-
--- Compares the numbers of TWO, which are in order.
+-- Finds whether the registry `asked` knows other groups than `given`, the game's, or has them in
+-- another order. (It is called as an order of two numbers.)
 local function compare()
-  answer = differ(asked, given)
+  local n, isOther = 0, asked.reorder or not rawequal(asked.source, given)
+  for name, value in next, isOther and {} or given, nil do
+    local record = asked.byName[name]
+    n, isOther = n + 1, isOther or not (record and rawequal(record.source, value))
+  end
+  answer = isOther or n ~= #asked.groups
   return false
 end
 
 --- Returns whether there are other groups than those that were seen last, or in another order.
---- (`differ` is not compiled, and compiled code ends where such a function follows; but it goes on
+--- (`compare` is not compiled, and compiled code ends where such a function follows; but it goes on
 --- behind one of C. So `sort` calls it: questions take 0.8 of the time.)
 function groups.haveChanged(self, objects)
   asked, given = self, objects
