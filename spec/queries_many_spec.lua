@@ -193,7 +193,6 @@ describe("queryRect and the others", function()
       end
     end
     world.onBegin, world.onEnd = note("begin"), note("end")
-    world.onBegin, world.onEnd = note("begin"), note("end")
     world:add("floors", small.set(tile(0, 100, 200, 16), { name = "floor" }))
     local acts = {
       function(members, n) -- comes, also in the middle, by the game's own hand

@@ -59,7 +59,7 @@ local FURTHEST = 0.35
 local JAMMED = 0.05
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
--- px by which a body may be in something immovable where the step begins.
+-- px by which a body may be in something immovable where the step begins; px/s, of rounding.
 local ROOM = 0.1
 
 -- Rows --------------------------------------------------------------------------------------------
@@ -225,9 +225,6 @@ local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
         local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
         local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
         local more = max(want, isShock and 0.0 or -sum[c])
-        if isOfSpeeds and not isFlush[c] then
-          more = -sum[c]
-        end
         sum[c] = sum[c] + more
         if more ~= 0 then
           column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
@@ -285,7 +282,7 @@ local function leaveWalls(b, column, isOfSpeeds)
   for n = 1, s.walledCount do
     local i = s.walled[n]
     local k, c = 2 * i, s.firstWall[i]
-    local most = lengthOf(b, column, k, isOfSpeeds) + (isOfSpeeds and 0.0 or ROOM)
+    local most = lengthOf(b, column, k, isOfSpeeds) + ROOM
     planes.count = 0
     while c ~= 0 do
       local sign, j = s.one[c] == i and 1 or -1, s.one[c] + s.other[c] - i

@@ -169,7 +169,9 @@ function slant.takes(b, p)
   end
   local gap, nx, ny = ball.gapIn(b, b.from, i, j)
   local u = -along(b.speed, i, j, nx, ny)
-  if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) or isElastic(b, i, j, u) then
+  if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
+    return false
+  elseif (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
     return false
   elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false

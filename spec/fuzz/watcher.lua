@@ -19,8 +19,11 @@ local PRESSED = 1 -- px from a ball to a machine that may squeeze it out, much f
 -- Px/s: a stop from more to less is seen; but not if it moved by less than a share of its size in a
 -- frame, as a ball that comes to rest in a heap.
 local FAST, STILL, SLOW = 20, 1e-9, 0.03
--- Times what energy was before; and with `strength`, which gives away a momentum that it keeps.
-local GAINED, STRONG = 1.001, 1.25
+-- Times what energy was before; and the factor of its mass with which a stronger object pushes
+-- others that run against it (they count as a fifth, and their own speed gives it none).
+local GAINED, STRONG = 1.001, 11
+-- Times the fastest speed of all, and its own way: a speed that comes from nothing is more.
+local SUDDEN = 3
 
 --- Begins to watch a game (spec/fuzz/games.lua); returns what the other functions take.
 ---@param game table with `world`, `room` (x, y, width, height, px), lists of `movers`, `solids`,
@@ -72,6 +75,20 @@ local function isSlope(object)
   return object and object.slope
 end
 
+-- Returns how fast the n-th object drifts out of others to which it is soft, at most, px/s.
+local function driftOf(game, n)
+  local object, sum = game.movers[n], 0
+  for m, other in ipairs(game.soft and n > 1 and game.movers or {}) do
+    if m > 1 and m ~= n then
+      local x = abs(object.x + object.width / 2 - other.x - other.width / 2)
+      local y = abs(object.y + object.height / 2 - other.y - other.height / 2)
+      local far = max(2 * x / (object.width + other.width), 2 * y / (object.height + other.height))
+      sum = sum + game.soft * max(1 / far - 1, 0)
+    end
+  end
+  return min(sum, game.soft or 0)
+end
+
 -- Returns whether an object touches a slope, which need not be its widest neighbour on a side.
 local function isOnSlope(object, solids)
   if isSlope(object.touching.top) or isSlope(object.touching.bottom) then
@@ -85,18 +102,19 @@ local function isOnSlope(object, solids)
   return false
 end
 
--- Returns the energy of all that moves, if each were faster by `more` px/s; nil: of what has moved,
--- but for balls that a vice shoots out. (A box that walks on a slope, or below one, keeps its
--- velocity on x, and has one on y besides.)
-local function energyOf(self, more)
+-- Returns the energy of all that moves, if each were faster by `gain` px/s and its drift; nil: of
+-- what has moved, but for balls that a vice shoots out. (A box that walks on a slope, or below one,
+-- keeps its velocity on x, and has one on y besides.)
+local function energyOf(self, gain)
   local energy = 0
-  for _, object in ipairs(self.game.movers) do
+  for n, object in ipairs(self.game.movers) do
     local vx, vy, isShot = object.vx or 0, object.vy or 0, self.was[object].isSqueezed
-    if not (more or object.radius) and isOnSlope(object, self.game.solids) then
+    if not (gain or object.radius) and isOnSlope(object, self.game.solids) then
       vy = 0
     end
-    local speed = sqrt(vx * vx + vy * vy) + (more or 0)
-    energy = energy + (not more and isShot and 0 or (object.mass or 1) / 2 * speed * speed)
+    local speed = sqrt(vx * vx + vy * vy) + (gain and gain + driftOf(self.game, n) or 0)
+    local mass = (object.mass or 1) * (object.strength and STRONG or 1)
+    energy = energy + (not gain and isShot and 0 or mass / 2 * speed * speed)
   end
   return energy
 end
@@ -142,6 +160,14 @@ local function jumped(self, object, dt)
   local more = (object.snap or 0) + (object.nudge or 0) + min(object.width, object.height) / 16
   local own = (speed + game.pull * dt / 2 + game.carry + (game.soft or 0)) * dt + more + SEEN
   return max(abs(object.x - was.x), abs(object.y - was.y)) - own
+end
+
+-- Whether an object ends an update at a speed that nothing had, and at which it has not moved.
+local function isSudden(self, object, dt)
+  local was, vx, vy = self.was[object], object.vx or 0, object.vy or 0
+  local x, y = (object.x - was.x) / dt, (object.y - was.y) / dt
+  local most = max(self.fastest + self.game.pull * dt + self.game.carry, sqrt(x * x + y * y))
+  return sqrt(vx * vx + vy * vy) > SUDDEN * most
 end
 
 -- Whether a box or circle has its middle beside another one, along an axis.
@@ -227,11 +253,12 @@ function watcher.check(self, dt)
       return "jump", ("%d goes %g px too far"):format(n, far)
     elseif isStopped(self, object, dt) and not isHeld then
       return "stop", ("%d stops dead at %g, %g"):format(n, object.x, object.y)
+    elseif isSudden(self, object, dt) and not (isHeld or self.was[object].isSqueezed) then
+      return "speed", ("%d goes at %g, %g px/s"):format(n, object.vx, object.vy)
     end
   end
   local energy = energyOf(self)
-  local gained = game.hero and game.hero.strength and STRONG or GAINED
-  if energy > self.energy * gained and not next(self.held) then
+  if energy > self.energy * GAINED and not next(self.held) then
     return "energy", ("%g of %g"):format(energy, self.energy)
   end
   return findDeep(self, dt)

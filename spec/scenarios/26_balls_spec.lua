@@ -59,6 +59,27 @@ describe("radius: a ball", function()
     near(92 - 0.8 * 192 - 10, object.y, 1e-6)
   end)
 
+  -- It touches as the step begins: it is no contact that holds.
+  it("bounces off a stone that it touches slanted, with gravity", function()
+    local world, side = physics.newWorld({ gravity = 600 }), 10 * math.sqrt(2)
+    world:add("stones", ball(0, 0, 10, { static = true }))
+    local object = ball(side, -side, 10, { vx = -90, vy = 90, restitution = 1 })
+    world:add("balls", object)
+    world:update(1 / 60)
+    near(90, object.vx)
+    near(-80, object.vy)
+  end)
+
+  -- 0.002 of their size do not show, and of what is more one half goes in a step.
+  local depths = { { 0.01, 0.01 }, { 0.05, 0.045 } }
+  small.rows("in another by {1} px is {2} px in it later", depths, function(deep, after)
+    local world, way = physics.newWorld({ gravity = 0 }), (20 - deep) * math.sqrt(0.5)
+    local one, other = ball(0, 0, 10), ball(way, -way, 10)
+    world.objects.balls = { one, other }
+    world:update(1 / 60)
+    near(20 - after, math.sqrt((other.x - one.x) ^ 2 + (other.y - one.y) ^ 2))
+  end)
+
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
       local world = physics.newWorld({ gravity = 0 })
@@ -371,6 +392,44 @@ describe("radius, strength and mass: a round player", function()
       end
     end
   end)
+end)
+
+--    [pillar]
+--      <-(_)       Both go to the left, a hair in each other: nothing holds one of them.
+--     <-(_)
+--    _________
+it("radius and restitution: two that go under a pillar are not crushed", function()
+  local world, told = physics.newWorld({ gravity = 0 }), 0
+  world:add("walls", tile(0, 49, 14, 14))
+  world:add("walls", tile(-150, 100, 300, 20))
+  world:add("balls", ball(10.444, 73, 10, { vx = -60, restitution = 0.5 }))
+  world:add("balls", ball(4.367, 91, 9, { vx = -58, restitution = 0.5, mass = 3 }))
+  function world.onCrush()
+    told = told + 1
+  end
+  world:update(1 / 30)
+  assert.equal(0, told)
+end)
+
+--     [ enemy ][P]       P presses an enemy onto the stone, others come from the left. The enemy
+--    (enemy)[ enemy ]    has room only where it comes from.
+--                 (stone)
+it("radius and strength: what has no room between player and stone does not shoot out", function()
+  local world, list = physics.newWorld({ gravity = 0 }), {}
+  world:add("pillars", tile(32, 61, 20, 20, { radius = 10 }))
+  list[1] = world:add("boxes", small.put(9, 2.6, 20, 20))
+  list[2] = world:add("boxes", small.put(19.2, 41.3, 20, 20))
+  list[3] = world:add("boxes", ball(14.2, 32.6, 10))
+  list[4] = world:add("players", small.put(24.4, 25.3, 16, 16, { strength = 1 }))
+  for _ = 1, 3 do
+    for n, row in ipairs({ { 50, 74 }, { 28, -84 }, { 88, 12 }, { 0, 80 } }) do
+      list[n].vx, list[n].vy = row[1], row[2]
+    end
+    world:update(1 / 120)
+    for _, one in ipairs(list) do -- (600 px/s)
+      assert.is_true(one.vx * one.vx + one.vy * one.vy < 150 * 150, one.vx .. ", " .. one.vy)
+    end
+  end
 end)
 
 --   _______________
