@@ -16,7 +16,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 local groups = {}
 
 local huge, max, min, sort = math.huge, math.max, math.min, table.sort
--- For `haveChanged`: what is asked, and the answer.
+-- For `haveChanged`: the question, and its answer.
 local TWO, asked, given, answer = { 1, 2 }, false, false, false
 
 -- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
