@@ -17,6 +17,7 @@ local groups = {}
 
 local huge, max, min, sort = math.huge, math.max, math.min, table.sort
 -- For `haveChanged`: the question, and its answer.
+---@type number[], any, any, any
 local TWO, asked, given, answer = { 1, 2 }, false, false, false
 
 -- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
