@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 631 },
   { "physics/contacts", 382 },
-  { "physics/fields", 677 },
+  { "physics/fields", 680 },
   { "physics/maps", 2480 },
   { "physics/memory", 879 },
   { "physics/motion", 983 },
