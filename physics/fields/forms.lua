@@ -8,7 +8,8 @@ local fields = require(root .. ".fields.fields")
 local layout = require(root .. ".memory.layout")
 
 ---@class physics.Form
----@field keep function? (value) -> the value of a column: a copy, so that a change is found
+---@field keep function? (value, before) -> the value of a column: a copy, so that a change is
+---  found; `before` is that of the slot before
 ---@field isKept function? (value, kept) -> whether a value equals the kept one; false: nothing is
 
 local forms = {}
@@ -43,6 +44,11 @@ function forms.copy(value, into)
   return copy
 end
 
+-- Returns a copy of a mask or an area. Many tiles have the same one: those in a row share it.
+local function keepTable(given, before)
+  return forms.isSame(given, before) and before or forms.copy(given)
+end
+
 -- (`false` is refused.)
 local function isSameTable(given, kept)
   return given ~= false and forms.isSame(given or false, kept)
@@ -52,7 +58,7 @@ local function isSameSide(value, kept)
   return constants.sideOf(value) == kept
 end
 
-local TABLE, PLAIN = { keep = forms.copy, isKept = isSameTable }, {}
+local TABLE, PLAIN = { keep = keepTable, isKept = isSameTable }, {}
 local SIDE = { keep = constants.sideOf, isKept = isSameSide }
 local BY_TYPE = { mask = TABLE, area = TABLE }
 

@@ -162,6 +162,9 @@ local function moveNoted(b)
     local i, j = left[n], movedTo[left[n]]
     local slots = b.group[j] and b.group[j].slots or {} -- (an object that has gone is in none)
     b.slotOf[b.object[j]], slots[b.seat[j]] = j, j
+    if j <= b.lastBody then
+      b.origin[2 * j], b.origin[2 * j + 1] = b.from[2 * j], b.from[2 * j + 1]
+    end
     if b.placed[j] ~= 0 then
       b.broadphase:remove(i)
       b.broadphase:insert(j)

@@ -313,33 +313,19 @@ local function clipOne(b, i)
   return false
 end
 
--- Returns whether a body near slot i, with which that is no contact, was clipped in this round.
-local function isBesideClipped(b, i)
-  for _, j, p in neighbours(b, i) do
-    if b.touches[p] == APART and b.inRound[j] == b.roundStamp then
-      return true
-    end
-  end
-  return false
-end
-
--- Clips the ways of all that need it. (Of two that are apart only the first one: it may be in the
--- way of the other one.) Returns whether there were any.
+-- Clips the ways of all that need it. Returns whether there were any.
 local function clipAll(b)
   local hasRoom, hasClipped = false, false
-  b.roundStamp = b.roundStamp + 1
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
-    if isMovable and isSqueezed(b, i) and not isBesideClipped(b, i) then
+    if isMovable and isSqueezed(b, i) then
       if not hasRoom then
         findRoom(b, 0)
         findRoom(b, 1)
         hasRoom = true
       end
-      if clipOne(b, i) then
-        b.inRound[i], hasClipped = b.roundStamp, true
-      end
+      hasClipped = clipOne(b, i) or hasClipped
     end
   end
   return hasClipped

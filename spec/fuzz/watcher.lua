@@ -17,8 +17,9 @@ local DEEP, BRIEF, SHARE = 0.3, 0.07, 0.25
 local NEAR = 16 -- px from what is crushed to a machine that may do it
 local PRESSED = 1 -- px from a ball to a machine that may squeeze it out, much faster than itself
 -- Px/s: a stop from more to less is seen; but not if it moved by less than a share of its size in a
--- frame, as a ball that comes to rest in a heap.
-local FAST, STILL, SLOW = 20, 1e-9, 0.03
+-- frame, as a ball that comes to rest in a heap. (That stops if it is to move by less than 0.03 of
+-- its size, and it was faster in the frame before.)
+local FAST, STILL, SLOW = 20, 1e-9, 0.04
 -- Times what energy was before; and the factor of its mass with which a stronger object pushes
 -- others that run against it (they count as a fifth, and their own speed gives it none).
 local GAINED, STRONG = 1.001, 11

@@ -240,6 +240,37 @@ describe("radius: a heap of balls", function()
     assert.is_true(depths(world.objects.balls, 340) < 0.1)
   end)
 
+  -- (Columns of boxes at a wall went to and fro for ever, since that wall counted as coming from
+  -- where the world has its zero point.)
+  for _, at in ipairs({ -3000, 0, 3000 }) do
+    it(("and boxes comes to rest wherever it is: %d"):format(at), function()
+      local world = physics.newWorld({ gravity = 800 })
+      wall(world, at - 16, 400, 192, 16)
+      wall(world, at - 16, -2000, 16, 2400)
+      wall(world, at + 160, -2000, 16, 2400)
+      for n = 57, 136 do
+        local radius, x = 6 + n * 7 % 5, at + n * 37 % 130
+        local object = { x = x, y = 390 - 11 * (n - 56) - radius, mass = 1 + n % 3 }
+        object.width, object.height = 2 * radius, 2 * radius
+        object.radius = n * 13 % 10 < 5 and radius or nil
+        world:add("balls", object)
+      end
+      run(world, 5)
+      assert.are.equal(80, world.stats.resting)
+    end)
+  end
+
+  long("is the same with rest, and with pairs and without rest", function()
+    -- Half a second after the last one has come down, if it is a selection.
+    local hashes, seconds = {}, effort.isWhole and 6 or 2
+    for n, settings in ipairs({ {}, { rest = false, broadphase = "pairs" } }) do
+      local world = newHeap("poured", 5, settings)
+      run(world, seconds)
+      hashes[n] = world:hash()
+    end
+    assert.are.equal(hashes[1], hashes[2])
+  end)
+
   it("goes on in the same way if it is restored among boxes", function()
     local world = newHeap("mixed", 5)
     for _ = 1, effort.isWhole and 24 or 12 do
