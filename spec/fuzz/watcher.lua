@@ -188,8 +188,8 @@ local function isSlanted(object, other, at, size)
     or other.radius and isBeside(other, object, at, size)
 end
 
--- Whether an object that went fast, in the update before, too, was stopped dead, with nothing at its
--- side before, during or after the step, and nothing below it that it rubs on.
+-- Whether an object that went fast, in the update before, too, was stopped dead, with nothing at
+-- its side before, during or after the step, and nothing below it that it rubs on.
 local function isStopped(self, object, dt)
   local was, t = self.was[object], object.touching
   local fast = max(FAST, 1.01 * self.game.pull * dt, SLOW * object.width / dt)
