@@ -24,7 +24,8 @@ local EVERY, BODY = layout.EVERY, layout.BODY
 local ROOM, MORE = 8, 16
 -- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
 -- their counts. Nothing else may: all else asks `embody` for a slot that stays.
-local KEEPERS = { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone" }
+local KEEPERS =
+  { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone", "reranked" }
 local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
 
 --- Names the columns of gravity, air friction and drag of a body, with zones and without (see

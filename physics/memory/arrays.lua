@@ -22,7 +22,7 @@ local isKnown, ffi = not jit, nil
 -- Columns are written side by side. With lengths of 2^n they would compete for the same few lines
 -- of the cache (piles 9 % slower): each is longer by one place in so many.
 local SPREAD = 16
--- Places in the first array of a column, and by how much one grows.
+-- Places in the first array of a column, or that a table has to spare; by how much an array grows.
 local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
 
 -- Returns the FFI if columns are typed arrays.
@@ -36,9 +36,9 @@ end
 
 --- Returns how many places a column gets that needs `count`: an array has more places than are
 --- needed now, else each frame in which a level gets a few slots more would copy all columns. A
---- table grows by itself.
+--- table grows by itself, but each growth goes through all columns: it gets a few more, too.
 function arrays.places(old, count)
-  return typed() and floor(max(count * SPARE + 1, FIRST, GROWTH * old)) or count
+  return typed() and floor(max(count * SPARE + 1, FIRST, GROWTH * old)) or count + FIRST
 end
 
 --- Returns a column with places for the slots 0 to `count` - 1 that begins as `column` does.

@@ -79,8 +79,8 @@ local function isFiled(b, i)
   return object.active == false or b.placed[i] ~= 0 and isInX and isInY
 end
 
--- Puts slot i into the grid where it is now, if it is not there.
-local function file(b, i)
+--- Puts slot i into the grid where it is now, if it is not there.
+function near.file(b, i)
   if isFiled(b, i) then
     return
   end
@@ -108,11 +108,11 @@ local function lookAtGroups(b, world)
   b.isSeen = true
   for n = 1, b.enteredCount do
     if b.entered[n] > b.lastBody then
-      file(b, b.entered[n])
+      near.file(b, b.entered[n])
     end
   end
   for n = 1, b.movedCount do -- static ones that were read again, too
-    file(b, b.movedList[n])
+    near.file(b, b.movedList[n])
   end
 end
 
@@ -146,7 +146,7 @@ function near.begin(world, wanted)
   local isInside = b.asking -- of a step, which has read all
   if not isInside and (not b.isSeen or b.moverCount <= FEW) then
     lookAtGroups(b, world)
-    lookAtPlaces(b, file)
+    lookAtPlaces(b, near.file)
   elseif world.checked and not isInside then
     lookAtPlaces(b, checkMissed)
   end
@@ -169,18 +169,13 @@ function near.finish(c)
   catches[#catches + 1] = c
 end
 
---- Notes that the library has moved an object: in a large world no query would see it.
-function near.noteMoved(c, n)
-  file(c.bodies, c.bodies.slotOf[c.object[n]])
-end
-
 -- Catches -----------------------------------------------------------------------------------------
 
 -- Adds slot i to a catch; returns its place there.
 local function add(c, i)
   local b, n = c.bodies, c.count + 1
   local object, k, m, kind = b.object[i], 2 * n, 2 * i, STATIC
-  c.count, c.object[n], c.groupName[n], c.rank[n] = n, object, b.group[i].name, b.rank[i]
+  c.count, c.object[n], c.groupName[n], c.rank[n] = n, object, b.group[i].name, b.newRank[i]
   if b.kind[i] == STATIC then
     c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
     c.size[k], c.size[k + 1], c.shape[n] = b.size[m], b.size[m + 1], b.shape[i]
