@@ -127,6 +127,7 @@ function watcher.note(self, dt)
   for _, object in ipairs(game.movers) do
     local was, t = self.was[object] or {}, object.touching
     self.was[object] = was
+    was.wayX, was.wayY = abs(object.x - (was.x or 1e9)), abs(object.y - (was.y or 1e9))
     was.x, was.y = object.x, object.y
     was.vx, was.vy = object.vx or 0, object.vy or 0
     was.isAcross, was.isAlong = t.left or t.right, t.top or t.bottom
@@ -187,17 +188,17 @@ local function isSlanted(object, other, at, size)
     or other.radius and isBeside(other, object, at, size)
 end
 
--- Whether an object was stopped dead, with nothing at its side before, during or after the step,
--- and nothing below it that it rubs on.
+-- Whether an object that went fast, in the update before, too, was stopped dead, with nothing at
+-- its side before, during or after the step, and nothing below it that it rubs on.
 local function isStopped(self, object, dt)
   local was, t = self.was[object], object.touching
   local fast = max(FAST, 1.01 * self.game.pull * dt, SLOW * object.width / dt)
-  local isX = abs(was.vx) > fast
+  local isX = min(abs(was.vx), was.wayX / dt) > fast
     and abs(object.vx) < STILL
     and not (was.isAcross or t.left or t.right)
     and not (object.friction and (was.isAlong or t.top or t.bottom))
     and not (isSlanted(object, t.top, "x", "width") or isSlanted(object, t.bottom, "x", "width"))
-  local isY = abs(was.vy) > fast
+  local isY = min(abs(was.vy), was.wayY / dt) > fast
     and abs(object.vy) < STILL
     and not (was.isAlong or t.top or t.bottom)
     and not (isSlanted(object, t.left, "y", "height") or isSlanted(object, t.right, "y", "height"))

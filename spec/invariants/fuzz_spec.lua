@@ -265,6 +265,7 @@ describe("a watcher of games", function()
     { { vx = 99 }, nil, { carry = 40, carriers = { near } } },
     { { vx = 99 }, "energy", { carry = 40 } },
     { { vx = 0 }, "stop" },
+    { { vx = 0 }, nil, { stood = true } },
     { { vx = 0 }, nil, nil, { touching = { right = wall } } },
     { { vx = 0 }, "stop", nil, { touching = { bottom = wall } } },
     { { vx = 0 }, nil, nil, { touching = { bottom = wall }, friction = 1 } },
@@ -279,7 +280,7 @@ describe("a watcher of games", function()
         one[name] = its
       end
       for n = 1, 2 do
-        one.x, one.vx = 5, 60
+        one.x, one.vx = more and more.stood and 5 or 3 + n, 60
         watcher.note(self, 1 / 60)
         one[field or "x"] = n == 2 and value or one[field or "x"]
         assert.equal(n == 2 and check or nil, (watcher.check(self, 1 / 60)))
