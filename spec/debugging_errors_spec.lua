@@ -265,6 +265,7 @@ describe("world:update, save and hash", function()
   -- what is said of these objects, beside a box
   small.rows("refuses: {1}; nothing has entered", {
     { "objects must be a table of groups, got 7", 7 },
+    { "objects must be a table of groups, got nil" },
     { "objects.coins must be a group (a table of objects) or an object, got 5", { coins = 5 } },
     { "objects" .. key .. "true", { [true] = {} } },
     { "objects.boxes" .. key .. "table", { boxes = { [{}] = object() } } },

@@ -194,6 +194,28 @@ describe("checked", function()
     end)
   end
 
+  -- (The game has switched the mask on in a world that it played before.)
+  small.rows(
+    "asks no mask of {1}",
+    { "objects that were restored", "a world checked later" },
+    function(what)
+      local isRestored = what == "objects that were restored"
+      local world = physics.newWorld({ checked = isRestored })
+      local man = world:add("men", small.box(0, 0, { mask = { boxes = false } }))
+      world:add("boxes", small.box(0, 0))
+      world:update(DT)
+      man.mask.boxes = true
+      world:update(DT)
+      if isRestored then
+        local other = physics.newWorld({ checked = true })
+        other:restore(world:save())
+        other:update(DT)
+      end
+      world.checked = true
+      world:update(DT)
+    end
+  )
+
   it("refuses canCollide that returns nothing", function()
     local world, _, box = newWorld()
     box.canCollide, box.y = function() end, 90

@@ -86,7 +86,7 @@ local ROWS = {
     { 7, 1, 6, 1 },
     "state.memory.moved[3] must be an integer in 8..10, got 6",
   },
-  { "memory.moved", { 6, true }, "state.memory.moved[2] must be a number, got true" },
+  { "memory.moved", { 6, 3 }, "state.memory.moved[2] must be an integer in 1..2, got 3" },
   { "memory.carrier", { 6, 11 }, "state.memory.carrier[2] must be an integer in 1..10, got 11" },
   { "memory.carried", { 6, 1, "a" }, 'state.memory.carried[3] must be a number, got "a"' },
   { "memory.wasCrushed", { 6, 1, true }, "state.memory.wasCrushed[2] must be true or false, got" },

@@ -200,7 +200,8 @@ end
 -- Finds whether the registry `asked` knows other groups than `given`, the game's, or has them in
 -- another order. (It is called as an order of two numbers.)
 local function compare()
-  local n, isOther = 0, asked.reorder or not rawequal(asked.source, given)
+  local isSame = given ~= nil and rawequal(asked.source, given)
+  local n, isOther = 0, asked.reorder or not isSame
   for name, value in next, isOther and {} or given, nil do
     local record = asked.byName[name]
     n, isOther = n + 1, isOther or not (record and rawequal(record.source, value))
