@@ -17,14 +17,14 @@ local BUDGET = {
   { "physics/memory", 876 },
   { "physics/motion", 983 },
   { "physics/narrowphase", 569 },
-  { "physics/objects", 1296 },
+  { "physics/objects", 1297 },
   { "physics/overlaps", 837 },
   { "physics/queries", 979 },
   { "physics/sleep", 83 },
   { "physics/solver", 3432 },
   { "physics/space", 500 },
-  { "physics/state", 1043 },
-  { "physics/world", 1364 },
+  { "physics/state", 1044 },
+  { "physics/world", 1365 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
