@@ -39,7 +39,8 @@ local walk = require(root .. ".solver.walk")
 
 local clip = {}
 
-local AXIS, APART, SLANTED = constants.AXIS, contacts.APART, contacts.SLANTED
+local AXIS, APART, SLANTED, ENTERED =
+  constants.AXIS, contacts.APART, contacts.SLANTED, contacts.ENTERED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
 local EPSILON = constants.EPSILON
 local neighbours = links.neighbours
@@ -178,7 +179,7 @@ end
 local function addRoom(b, i, x, y, t)
   local room, walls = b.clipWork.room, b.clipWork.wall
   for _, j, p in neighbours(b, i) do
-    local isTouched = b.touches[p] > APART and b.touches[p] ~= SLANTED
+    local isTouched = b.touches[p] > APART and b.touches[p] < SLANTED
     if isTouched and touch.haveFaces(b, i, j) then
       if isWall(b, p, i, j) then
         addFace(b, i, j, x, y, t, true)
@@ -276,7 +277,8 @@ end
 -- Whether box i and slot j, of pair p, are in each other, and one of them was clipped.
 local function areCaught(b, p, i, j)
   local isClipped = b.kind[j] == DYNAMIC and (b.give[2 * i] == 0 or b.give[2 * j] == 0)
-  return isClipped and b.touches[p] > APART and boxes.gap(b, b.to, i, j) < -EPSILON
+  local mayMeet = b.touches[p] > APART and b.touches[p] < ENTERED
+  return isClipped and mayMeet and boxes.gap(b, b.to, i, j) < -EPSILON
 end
 
 -- Returns whether box i has a slope beside it, and is in that, or squeezed.

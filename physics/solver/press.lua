@@ -67,7 +67,6 @@ local ROOM = 0.1
 -- Adds s.new[1..added] to the rows in list[1..count], in order: from below to above, then in the
 -- order of the world.
 local function merge(s, list, count, added)
-  sort.by(s.new, added, s.height, s.first, s.second)
   sort.merge(list, count, s.new, added, s.height, s.first, s.second)
 end
 

@@ -53,7 +53,7 @@ local function stands(b, i)
 end
 
 -- Returns whether slot i ends in something round, beside which it would be lowered.
-local function isInRound(b, i)
+local function endsInCircle(b, i)
   for _, j, p in links.neighbours(b, i) do
     local mayTouch = ball.isRound(b, i, j) and filter.areSolid(b, i, j) and not b.passing[p]
     if mayTouch and ball.gapIn(b, b.to, i, j) < -EPSILON then
@@ -70,7 +70,7 @@ local function put(b, i, j, k, turn, height)
   b.stack[1] = i
   pairFinder.run(b, b.stack, 1)
   local p = links.pairOf(b, i, j)
-  local passes = not p or b.hasRound and isInRound(b, i)
+  local passes = not p or b.hasRound and endsInCircle(b, i)
   if passes or rules.passes(b, p, turn > 0 and k or m, turn > 0 and m or k, k % 2, false) then
     path.finish(b, k, place, v, a)
     return
