@@ -169,15 +169,14 @@ function slant.takes(b, p)
     return false
   end
   local gap, nx, ny = ball.gapIn(b, b.from, i, j)
-  local u = -along(b.speed, i, j, nx, ny)
+  local u, slop = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j)
   if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
     return false
-  elseif (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
+  elseif gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
     return false
   elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
-  local slop = ball.slop(b, i, j)
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
   put(b, b.slants.count + 1, p, i, j, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0, u)
   return true
