@@ -294,6 +294,8 @@ local function leaveWalls(b, column, isOfSpeeds)
     local x, y = planes.nearest(column[k], column[k + 1], most)
     if x then
       column[k], column[k + 1] = x, y
+    else
+      s.viceAt[i] = b.solveStamp
     end
   end
 end

@@ -62,6 +62,7 @@ function slant.begin(b)
     -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
     -- next one.
     s.rows, s.walledCount, s.order, s.mark, s.jamAt = 0, 0, {}, {}, {}
+    s.viceAt = {}
     s.wallsAt, s.walled, s.firstWall, s.nextWall = {}, {}, {}, {}
     -- By slot: when something immovable touched it slanted as a step began; when it was first met
     -- by something immovable, and in which plane.
