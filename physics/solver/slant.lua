@@ -265,7 +265,8 @@ function slant.meet(b, p, t)
     return false
   end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  if gap < -LOST * ball.smallest(b, i, j) or nx == 0 or ny == 0 then
+  local isLost = gap < -LOST * ball.smallest(b, i, j) and ball.gapIn(b, b.origin, i, j) < -EPSILON
+  if isLost or nx == 0 or ny == 0 then
     return false
   end
   put(b, b.slants.count + 1, p, i, j, nx, ny, x * nx + y * ny - min(gap, 0.0), t, 0.0)
