@@ -238,9 +238,9 @@ end
 -- their normal, since it is immovable, or held. Nil: neither body is stopped.
 local function moverOf(b, c)
   local s = b.slants
-  local i, j = s.one[c], s.other[c]
-  local ix, iy, jx, jy = ball.weigh(b, i, j, s.nx[c], s.ny[c])
-  local isOne, isOther = max(ix, iy) > 0, max(jx, jy) > 0
+  local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
+  local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
+  local isOne, isOther = nx * nx * ix + ny * ny * iy > 0, nx * nx * jx + ny * ny * jy > 0
   return isOne ~= isOther and (isOne and i or j) or nil
 end
 
