@@ -60,10 +60,9 @@ function slant.begin(b)
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
     -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
-    -- next one.
+    -- next one; by slot: the last solve that it found no place in front of all its walls.
     s.rows, s.walledCount, s.order, s.mark, s.jamAt = 0, 0, {}, {}, {}
-    s.viceAt = {}
-    s.wallsAt, s.walled, s.firstWall, s.nextWall = {}, {}, {}, {}
+    s.wallsAt, s.walled, s.firstWall, s.nextWall, s.viceAt = {}, {}, {}, {}, {}
     -- By slot: when something immovable touched it slanted as a step began; when it was first met
     -- by something immovable, and in which plane.
     s.leansAt, s.firstAt, s.firstOf = {}, {}, {}
@@ -257,8 +256,9 @@ function slant.find(b, isFirst)
   return hasNew
 end
 
---- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. Returns
---- whether it did.
+--- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The two
+--- may be deep in each other, if others have pushed them there in this step.) Returns whether it
+--- did.
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
