@@ -211,12 +211,13 @@ local function visitSlot(c, i, bound)
   return n and c.visit and c.visit(c, n, bound) or bound
 end
 
---- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of
---- them and returns the share of the line after which nothing matters (see broadphase/gridLines).
-function near.line(c, x1, y1, x2, y2, visit)
+--- Adds all objects to a catch that its line from (c.x, c.y) by (c.dx, c.dy) may meet.
+--- `visit(c, n, bound)` is called for each of them and returns the share of the line after which
+--- nothing matters (see broadphase/gridLines).
+function near.line(c, visit)
   local isLater, bound = type(c.filter) == "function", 1 -- (that may do anything, also to the grid)
   c.visit = not isLater and visit
-  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+  gridLines.walk(c.bodies.broadphase, c, visitSlot, bound)
   for n = 1, isLater and c.count or 0 do
     bound = visit(c, n, bound)
   end
