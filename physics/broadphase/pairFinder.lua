@@ -274,7 +274,7 @@ function pairFinder.listLive(b)
   for n = 1, b.liveCount do
     hit[live[n]], pressed[live[n]] = 0, 0
   end
-  for n = 1, (b.mayPass or b.hasAids) and b.liveCount or 0 do
+  for n = 1, (b.hasRules or b.hasAids) and b.liveCount or 0 do
     passing[live[n]], nudged[live[n]] = false, 0
   end
 end
