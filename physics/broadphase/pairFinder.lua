@@ -255,8 +255,9 @@ end
 -- Active pairs ------------------------------------------------------------------------------------
 
 --- Lists in b.live the pairs with an awake body, which take part in a new step, and resets their
---- step columns; and lists the free pairs. They are listed anew only when a pair was made or ended, or a body woke or fell
---- asleep. Pairs that are linked in the middle of a step are appended (`links.linkAll`).
+--- step columns; and lists the free pairs. They are listed anew only when a pair was made or ended,
+--- or a body woke or fell asleep. Pairs that are linked in the middle of a step are appended
+--- (`links.linkAll`).
 function pairFinder.listLive(b)
   local live, free, pairA, pairB, awakeAt = b.live, b.freePairs, b.pairA, b.pairB, b.awakeAt
   local hit, pressed, passing, nudged = b.hit, b.pressed, b.passing, b.nudged
