@@ -12,7 +12,7 @@
 -- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
 -- that do not move.
 --
--- Who keeps a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step has
+-- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step has
 -- changed no bit of its place and velocity, it has no speed and no way left, and `hasNews` there
 -- finds none of these notes. At the end of the step `mustStayAwake` says whether it is not quiet.
 --
@@ -27,7 +27,7 @@
 -- `islands.settle` puts an island to sleep if all its bodies are quiet, its kinematic neighbours,
 -- too (`gather`), the step is not below `islands.SHORTEST`, and the setting `rest` allows it.
 --
--- Who wakes it: everything that could end the fixed point wakes the whole island first
+-- Waking: everything that could end the fixed point wakes the whole island first
 -- (`islands.wake`), before it has an effect:
 --
 -- - velocities and accelerations that the game wrote (objects/readFields), other fields, objects
