@@ -12,9 +12,10 @@
 -- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
 -- that do not move.
 --
--- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step has
--- changed no bit of its place and velocity, it has no speed and no way left, and `hasNews` there
--- finds none of these notes. At the end of the step `mustStayAwake` says whether it is not quiet.
+-- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step
+-- has changed no bit of its place and velocity, it has no speed and no way left, and `hasNews`
+-- there finds none of these notes. At the end of the step `mustStayAwake` says whether it is not
+-- quiet.
 --
 --     mustStayAwake  a contact that is new or bounces (contactState, ball, together); another
 --                    support or carrier, a hit of this update (write); a nudge (nudge), a bounded
