@@ -122,18 +122,19 @@ local function mayPress(b, i, j)
 end
 
 -- Makes plane c, or a new one, of pair p.
-local function put(b, c, p, i, j, nx, ny, least, time, speed)
-  local s = b.slants
+local function put(b, c, p, nx, ny, least, time)
+  local s, i, j = b.slants, slotsOf(b, p)
   s.count = max(s.count, c)
   s.pair[c], s.one[c], s.other[c], s.nx[c], s.ny[c], s.least[c] = p, i, j, nx, ny, least
-  s.time[c], s.speed[c], s.slop[c] = time, speed, ball.slop(b, i, j)
+  s.time[c], s.speed[c], s.slop[c] = time, 0.0, ball.slop(b, i, j)
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), b.rank[i], b.rank[j]
   s.push[c], s.impulse[c], s.total[c], s.isNew[c], s.isFlush[c] = 0.0, 0.0, 1.0, true, false
   s.start[c] = b.lastImpulse[p]
   b.touches[p] = SLANTED
 end
 
-local function noteHit(b, p, i, j, nx, ny, time, speed)
+local function noteHit(b, p, nx, ny, time, speed)
+  local i, j = slotsOf(b, p)
   local axis, isLow = shapes.sideOf(nx, ny, false)
   impact.note(b, p, isLow and i or j, axis, speed, time)
 end
@@ -141,9 +142,10 @@ end
 -- Adds a pair that is apart and meets at moment `time`. Of the immovable ones that a body meets
 -- only the first one counts now: that turns the body, so that it may not come to the others (as to
 -- the seam of two tiles). Returns whether the pair was added.
-local function putFirst(b, p, i, j, nx, ny, least, time, speed)
+local function putFirst(b, p, nx, ny, least, time, speed)
+  local i, j = slotsOf(b, p)
   if b.contact[p] == 0 and time < 1 then
-    noteHit(b, p, i, j, nx, ny, time, speed) -- while the paths still lead there
+    noteHit(b, p, nx, ny, time, speed) -- while the paths still lead there
   end
   local s, mover = b.slants, b.give[2 * i] == 0 and j or b.give[2 * j] == 0 and i or 0
   local c = mover > 0 and s.firstAt[mover] == s.stamp and s.firstOf[mover]
@@ -157,7 +159,8 @@ local function putFirst(b, p, i, j, nx, ny, least, time, speed)
     c = s.count + 1
     s.firstAt[mover], s.firstOf[mover] = s.stamp, c
   end
-  put(b, c, p, i, j, nx, ny, least, time, speed)
+  put(b, c, p, nx, ny, least, time)
+  s.speed[c] = speed
   return true
 end
 
@@ -169,7 +172,7 @@ function slant.takes(b, p)
     return false
   end
   local gap, nx, ny = ball.gapIn(b, b.from, i, j)
-  local u, slop = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j)
+  local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
   if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
     return false
   elseif gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
@@ -178,7 +181,8 @@ function slant.takes(b, p)
     return false
   end
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
-  put(b, b.slants.count + 1, p, i, j, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0, u)
+  put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
+  b.slants.speed[c] = u
   return true
 end
 
@@ -219,7 +223,7 @@ local function findPair(b, p)
     return false
   end
   local least = along(b.from, i, j, nx, ny) - gap
-  return putFirst(b, p, i, j, nx, ny, least, time, max(u, 0.0))
+  return putFirst(b, p, nx, ny, least, time, max(u, 0.0))
 end
 
 -- Marks the bodies that something immovable touches slanted where the step begins.
@@ -269,7 +273,7 @@ function slant.meet(b, p, t)
   if isLost or nx == 0 or ny == 0 then
     return false
   end
-  put(b, b.slants.count + 1, p, i, j, nx, ny, x * nx + y * ny - min(gap, 0.0), t, 0.0)
+  put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
   return true
 end
 
@@ -306,7 +310,7 @@ function slant.tell(b)
     if s.isFlush[c] then
       b.resolved = b.resolved + 1
       if b.contact[p] == 0 then
-        noteHit(b, p, s.one[c], s.other[c], s.nx[c], s.ny[c], s.time[c], max(s.speed[c], 0.0))
+        noteHit(b, p, s.nx[c], s.ny[c], s.time[c], max(s.speed[c], 0.0))
       end
     elseif b.contact[p] == 0 then
       b.hit[p] = 0
