@@ -260,9 +260,9 @@ function slant.find(b, isFirst)
   return hasNew
 end
 
---- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The two
---- may be deep in each other, if others have pushed them there in this step.) Returns whether it
---- did.
+--- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The
+--- two may be deep in each other, if others have pushed them there in this step.) Returns whether
+--- it did.
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then

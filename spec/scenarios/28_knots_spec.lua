@@ -119,13 +119,14 @@ describe("x and y: a knot", function()
 end)
 
 -- Moments of random games (spec/fuzz/games.lua) without gravity, made small. `o`: a circle, `b`: a
--- box; x, y, width, vx, vy, and perhaps `fixed` (not pushable), `strong`, `wall`, `elastic`, `heavy`.
--- The game writes these velocities in each step (`-`: none). The `pair` must not come deeper
--- into each other.
+-- box; x, y, width, vx, vy, and perhaps `fixed` (not pushable), `strong`, `wall`, `elastic`,
+-- `heavy`. The game writes these velocities in each step (`-`: none). The `pair` must not come
+-- deeper into each other.
 describe("x, y, vx and vy: a knot of a random game", function()
   local function read(text)
     local objects, pair = {}, {}
-    for shape, x, y, size, vx, vy, words in text:gmatch("(%l) (%S+) (%S+) (%S+) (%S+) ([^%s,]+)([^,]*)") do
+    local pattern = "(%l) (%S+) (%S+) (%S+) (%S+) ([^%s,]+)([^,]*)"
+    for shape, x, y, size, vx, vy, words in text:gmatch(pattern) do
       local width = tonumber(size)
       local object = small.put(tonumber(x), tonumber(y), width, width)
       object.radius = shape == "o" and width / 2 or nil
