@@ -16,7 +16,7 @@ local BUDGET = {
   { "physics/maps", 2483 },
   { "physics/memory", 857 },
   { "physics/motion", 983 },
-  { "physics/narrowphase", 569 },
+  { "physics/narrowphase", 567 },
   { "physics/objects", 1297 },
   { "physics/overlaps", 830 },
   { "physics/queries", 968 },
