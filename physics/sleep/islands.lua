@@ -24,7 +24,7 @@
 --                    `heap` keeps in its place (`stillAt`) sleeps all the same.
 --     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
 --                    carrier (`carriers.noteJump`)
---     isPolled       one of its contacts calls `onStay` (events) or `canCollide` (rules) in each step
+--     isPolled       one of its contacts asks for `onStay` (events) or `canCollide` (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
 --
 -- `islands.settle` puts an island to sleep if all its bodies are quiet, its kinematic neighbours,
@@ -40,7 +40,8 @@
 -- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/), soft crowds
 --   (motion/drift);
 -- - a moving kinematic object, and steps below SHORTEST;
--- - a path that comes near (`wakeLinked` in pairFinder). In the middle of a step: the step begins anew, see solver.
+-- - a path that comes near (`wakeLinked` in pairFinder). In the middle of a step: the step begins
+--   anew, see solver.
 --
 -- So sleeping changes no result, bit for bit. A kinematic object is an island of its own: as long
 -- as it stands, it is only a wall. One search visits each body and each pair of an island once.
