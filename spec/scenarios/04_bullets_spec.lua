@@ -91,7 +91,7 @@ describe("vx and onBegin: bullets", function()
 end)
 
 --   \ | /
---   -  o  -      200 from one place, at one speed, that can hit nobody here
+--   -  o  -      200 bullets from one place, at one speed; nothing is there to be hit
 --   / | \
 it("hits: bullets added together never have their neighbours looked up all in one step", function()
   local world, costs = physics.newWorld({ gravity = 0 }), {}
