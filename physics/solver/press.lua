@@ -17,8 +17,7 @@
 --                       close. The speed along the tangent is kept.
 --                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
 --                       give way and no push is taken back, so that a heap does not sink. FURTHEST
---                       does not apply, and which rows touch is not found anew. (Of two that meet
---                       within the step both give way: their momentum is kept.)
+--                       does not apply, and which rows touch is not found anew.
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
@@ -122,7 +121,7 @@ local function addContact(b, list, n, c)
   end
   s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
-  s.time[c], s.push[c], s.impulse[c], s.start[c], s.slop[c] = 0.0, 0.0, 0.0, 0.0, EPSILON
+  s.push[c], s.impulse[c], s.start[c], s.slop[c] = 0.0, 0.0, 0.0, EPSILON
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
   s.new[c - s.count] = c
   return true
@@ -189,11 +188,10 @@ local function weigh(b, isShock)
     local k, m = 2 * i, 2 * j
     local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
     local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
-    local isStruck = s.time[c] > 0 and s.time[c] < 1
-    local mayHold = isShock and give[k] > 0 and give[m] > 0 and not isStruck
-    if mayHold and share < -ABOVE then
+    local areLoose = give[k] > 0 and give[m] > 0
+    if isShock and areLoose and share < -ABOVE then
       jx, jy = 0.0, 0.0
-    elseif mayHold and share > ABOVE then
+    elseif isShock and areLoose and share > ABOVE then
       ix, iy = 0.0, 0.0
     end
     local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
