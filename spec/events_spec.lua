@@ -133,16 +133,14 @@ describe("onBegin, onStay, onEnd", function()
   })
 end)
 
-describe("onStay", function()
-  row("is told at every step, also of one that rests: to the {owner}", { FLOOR, box({ y = 84 }) }, {
-    1,
-    "world.stats.resting == 1; stays = 0",
-    "function {owner}.onStay() stays = stays + 1 end",
-    "world:refresh(floor.raw)", -- of a static object it is read once
-    { steps = 100 },
-    "stays == 100",
-  }, { "owner", { "box.raw" }, { "floor.raw" }, { "world" } })
-end)
+row("onStay: tells the {owner} at every step, also of one that rests", { FLOOR, box({ y = 84 }) }, {
+  1,
+  "world.stats.resting == 1; stays = 0",
+  "function {owner}.onStay() stays = stays + 1 end",
+  "world:refresh(floor.raw)", -- of a static object it is read once
+  { steps = 100 },
+  "stays == 100",
+}, { "owner", { "box.raw" }, { "floor.raw" }, { "world" } })
 
 describe("onBegin and onEnd", function()
   row("are not told while it leans on a wall after the push has ended", {
