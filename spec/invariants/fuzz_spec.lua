@@ -202,15 +202,13 @@ end)
 
 -- 2000 of each: `make games GAMES=2000`.
 describe("games of the kinds that are made show nothing that a player would notice:", function()
-  for _, kind in ipairs(games.kinds) do
-    it(kind, function()
-      for seed = 1, effort.share(4) do
-        local failure = games.play(kind, seed)
-        local text = failure and ("seed %d, frame %d: %s"):format(seed, failure.at, failure.text)
-        assert(not failure, text)
-      end
-    end)
-  end
+  small.rows("{1}", games.kinds, function(kind)
+    for seed = 1, effort.share(4) do
+      local failure = games.play(kind, seed)
+      local text = failure and ("seed %d, frame %d: %s"):format(seed, failure.at, failure.text)
+      assert(not failure, text)
+    end
+  end)
 
   it("survivors, in which a ball that others press met the hero in vain in each round", function()
     assert.is_nil(games.play("survivors", 287, true))
