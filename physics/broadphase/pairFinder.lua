@@ -37,8 +37,8 @@ local LEAVING = 2
 pairFinder.REACH = 1.5
 
 -- Lists in b.pairList the pairs of the bodies in strays[1..count] with fat boxes that no longer
--- meet. Returns how many there are. A pair stays until its contact has ended, and until its hit in this
--- step has been told.
+-- meet. Returns how many there are. A pair stays until its contact has ended, and until its hit in
+-- this step has been told.
 local function listParted(b, strays, count)
   local fatLow, fatHigh, nextHalf, pairA, pairB = b.fatLow, b.fatHigh, b.next, b.pairA, b.pairB
   local parted, head, place, n = b.pairList, b.head, b.place, 0
