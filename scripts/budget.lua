@@ -10,14 +10,14 @@ local files = require("spec.support.files")
 
 local BUDGET = {
   { "physics.lua", 83 },
-  { "physics/broadphase", 634 },
+  { "physics/broadphase", 629 },
   { "physics/contacts", 382 },
   { "physics/fields", 680 },
   { "physics/maps", 2483 },
-  { "physics/memory", 857 },
+  { "physics/memory", 855 },
   { "physics/motion", 983 },
-  { "physics/narrowphase", 569 },
-  { "physics/objects", 1297 },
+  { "physics/narrowphase", 567 },
+  { "physics/objects", 1298 },
   { "physics/overlaps", 830 },
   { "physics/queries", 968 },
   { "physics/sleep", 83 },

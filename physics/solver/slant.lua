@@ -60,9 +60,9 @@ function slant.begin(b)
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
     -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
-    -- next one.
+    -- next one; by slot: the last solve that it found no place in front of all its walls.
     s.rows, s.walledCount, s.order, s.mark, s.jamAt = 0, 0, {}, {}, {}
-    s.wallsAt, s.walled, s.firstWall, s.nextWall = {}, {}, {}, {}
+    s.wallsAt, s.walled, s.firstWall, s.nextWall, s.viceAt = {}, {}, {}, {}, {}
     -- By slot: when something immovable touched it slanted as a step began; when it was first met
     -- by something immovable, and in which plane.
     s.leansAt, s.firstAt, s.firstOf = {}, {}, {}
@@ -172,15 +172,14 @@ function slant.takes(b, p)
     return false
   end
   local gap, nx, ny = ball.gapIn(b, b.from, i, j)
-  local u = -along(b.speed, i, j, nx, ny)
+  local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
   if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
     return false
-  elseif (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
+  elseif gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
     return false
   elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
-  local slop, c = ball.slop(b, i, j), b.slants.count + 1
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
   put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
   b.slants.speed[c] = u
@@ -261,15 +260,17 @@ function slant.find(b, isFirst)
   return hasNew
 end
 
---- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. Returns
---- whether it did.
+--- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The
+--- two may be deep in each other, if others have pushed them there in this step.) Returns whether
+--- it did.
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
     return false
   end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  if gap < -LOST * ball.smallest(b, i, j) or nx == 0 or ny == 0 then
+  local isLost = gap < -LOST * ball.smallest(b, i, j) and ball.gapIn(b, b.origin, i, j) < -EPSILON
+  if isLost or nx == 0 or ny == 0 then
     return false
   end
   put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
