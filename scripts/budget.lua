@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/memory", 855 },
   { "physics/motion", 983 },
   { "physics/narrowphase", 567 },
-  { "physics/objects", 1298 },
+  { "physics/objects", 1296 },
   { "physics/overlaps", 830 },
   { "physics/queries", 968 },
   { "physics/sleep", 83 },

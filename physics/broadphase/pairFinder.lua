@@ -135,11 +135,11 @@ end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, margin)
-  local broadphase, hitsOnly = b.broadphase, b.hitsOnly
+  local broadphase, hitsOnly, turn = b.broadphase, b.hitsOnly, b.stamp % 97
   for m = 1, count do
     local i = strays[m]
     local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST
-    local steps = AHEAD * (0.6 + i % 11 * 0.08) -- so that not all leave them at once
+    local steps = AHEAD * (0.6 + i * turn % 97 / 120) -- so that not all leave them at once
     fatten(b, 2 * i, farthest, margin, steps)
     fatten(b, 2 * i + 1, farthest, margin, steps)
     if broadphase.placeOf[i] then
