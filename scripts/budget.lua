@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 830 },
   { "physics/queries", 968 },
   { "physics/sleep", 83 },
-  { "physics/solver", 3438 },
+  { "physics/solver", 3436 },
   { "physics/space", 508 },
   { "physics/state", 1044 },
   { "physics/world", 1367 },
