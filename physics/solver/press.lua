@@ -61,6 +61,8 @@ local JAMMED = 0.05
 local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins; px/s, of rounding.
 local ROOM = 0.1
+-- How often the bodies that are still in each other are pressed at the end of a step.
+local LAST = 4
 
 -- Rows --------------------------------------------------------------------------------------------
 
@@ -420,10 +422,14 @@ end
 --- whether there are planes.
 function press.finish(b)
   local s = b.slants
+  slant.findLate(b)
   if s.count == 0 then
     return false
-  elseif press.isNeeded(b, true) then
-    press.run(b, true)
+  end
+  for _ = 1, LAST do
+    if press.isNeeded(b, true) then
+      press.run(b, true)
+    end
   end
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)

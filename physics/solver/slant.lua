@@ -277,6 +277,22 @@ function slant.meet(b, p, t)
   return true
 end
 
+--- Makes planes of the pairs that were apart when the step began and end in each other: one of the
+--- two had an impact, and others have changed the path of the other one before that.
+function slant.findLate(b)
+  for n = 1, b.liveCount do
+    local p = b.live[n]
+    local i, j = slotsOf(b, p)
+    local isLate = b.touches[p] == APART and (b.time[i] > 0 or b.time[j] > 0)
+    if isLate and mayPress(b, i, j) and boxes.gap(b, b.to, i, j) < 0 and heap.mayPush(b, p, i, j) then
+      local isIn = ball.gapIn(b, b.to, i, j) < -EPSILON
+      if isIn and ball.gapIn(b, b.origin, i, j) >= -EPSILON then
+        slant.meet(b, p, 1)
+      end
+    end
+  end
+end
+
 -- Returns whether slot i ends where it began.
 local function isStill(b, i)
   local to, position, k = b.to, b.position, 2 * i
