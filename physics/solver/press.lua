@@ -61,8 +61,6 @@ local JAMMED = 0.05
 local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins; px/s, of rounding.
 local ROOM = 0.1
--- How often the bodies that are still in each other are pressed at the end of a step.
-local LAST = 4
 
 -- Rows --------------------------------------------------------------------------------------------
 
@@ -425,11 +423,8 @@ function press.finish(b)
   slant.findLate(b)
   if s.count == 0 then
     return false
-  end
-  for _ = 1, LAST do
-    if press.isNeeded(b, true) then
-      press.run(b, true)
-    end
+  elseif press.isNeeded(b, true) then
+    press.run(b, true)
   end
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)

@@ -183,6 +183,9 @@ function slant.takes(b, p)
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
   put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
   b.slants.speed[c] = u
+  if b.give[2 * i] == 0 or b.give[2 * j] == 0 then
+    b.slants.leansAt[i], b.slants.leansAt[j] = b.solveStamp, b.solveStamp
+  end
   return true
 end
 
@@ -226,17 +229,6 @@ local function findPair(b, p)
   return putFirst(b, p, nx, ny, least, time, max(u, 0.0))
 end
 
--- Marks the bodies that something immovable touches slanted where the step begins.
-local function markLeaning(b)
-  local s, give = b.slants, b.give
-  for c = 1, s.count do
-    local i, j = s.one[c], s.other[c]
-    if give[2 * i] == 0 or give[2 * j] == 0 then
-      s.leansAt[i], s.leansAt[j] = b.solveStamp, b.solveStamp
-    end
-  end
-end
-
 --- Makes planes of the pairs that are apart where the step begins and will meet slanted. Returns
 --- whether there are new ones. `isFirst`: bodies that lean on something slanted are left for the
 --- next time, since that turns them first.
@@ -244,9 +236,6 @@ function slant.find(b, isFirst)
   pairFinder.run(b, b.awakeList, b.awakeCount, pairFinder.REACH)
   local live, touches, pairA, pairB, hasNew = b.live, b.touches, b.pairA, b.pairB, false
   local s, stamp, leansAt = b.slants, b.solveStamp, b.slants.leansAt
-  if isFirst then
-    markLeaning(b)
-  end
   s.stamp = s.stamp + 1
   for n = 1, b.liveCount do
     local p = live[n]
@@ -283,12 +272,10 @@ function slant.findLate(b)
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = slotsOf(b, p)
-    local isLate = b.touches[p] == APART and (b.time[i] > 0 or b.time[j] > 0)
-    if isLate and mayPress(b, i, j) and boxes.gap(b, b.to, i, j) < 0 and heap.mayPush(b, p, i, j) then
-      local isIn = ball.gapIn(b, b.to, i, j) < -EPSILON
-      if isIn and ball.gapIn(b, b.origin, i, j) >= -EPSILON then
-        slant.meet(b, p, 1)
-      end
+    local isNear = b.touches[p] == APART and mayPress(b, i, j) and boxes.gap(b, b.to, i, j) < 0
+    local isIn = isNear and ball.gapIn(b, b.to, i, j) < -EPSILON
+    if isIn and ball.gapIn(b, b.origin, i, j) >= -EPSILON and heap.mayPush(b, p, i, j) then
+      slant.meet(b, p, 1)
     end
   end
 end
