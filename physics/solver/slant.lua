@@ -272,9 +272,9 @@ function slant.findLate(b)
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = slotsOf(b, p)
-    local isNear = b.touches[p] == APART and mayPress(b, i, j) and boxes.gap(b, b.to, i, j) < 0
-    local isIn = isNear and ball.gapIn(b, b.to, i, j) < -EPSILON
-    if isIn and ball.gapIn(b, b.origin, i, j) >= -EPSILON and heap.mayPush(b, p, i, j) then
+    local isLate = b.touches[p] == APART and mayPress(b, i, j) and heap.mayPush(b, p, i, j)
+    local isIn = isLate and ball.gapIn(b, b.to, i, j) < -EPSILON
+    if isIn and ball.gapIn(b, b.origin, i, j) >= -EPSILON then
       slant.meet(b, p, 1)
     end
   end
