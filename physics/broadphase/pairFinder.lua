@@ -36,12 +36,12 @@ local LEAVING = 2
 --- looked for. (Otherwise which are known depends on the past.)
 pairFinder.REACH = 1.5
 
--- Lists in b.linked the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
--- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
--- step has been told.
+-- Lists in b.pairList the pairs of the bodies in strays[1..count] with fat boxes that no longer
+-- meet. Returns how many there are. A pair stays until its contact has ended, and until its hit in
+-- this step has been told.
 local function listParted(b, strays, count)
   local fatLow, fatHigh, nextHalf, pairA, pairB = b.fatLow, b.fatHigh, b.next, b.pairA, b.pairB
-  local parted, head, place, n = b.linked, b.head, b.place, 0
+  local parted, head, place, n = b.pairList, b.head, b.place, 0
   strays[count + 1], head[0] = 0, 0
   local m, half = 1, head[strays[1]]
   while m <= count do
@@ -134,11 +134,11 @@ end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, margin)
-  local broadphase, placed, hitsOnly = b.broadphase, b.placed, b.hitsOnly
+  local broadphase, placed, hitsOnly, turn = b.broadphase, b.placed, b.hitsOnly, b.stamp % 97
   for m = 1, count do
     local i = strays[m]
     local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST
-    local steps = AHEAD * (0.6 + i % 11 * 0.08) -- so that not all leave them at once
+    local steps = AHEAD * (0.6 + i * turn % 97 / 120) -- so that not all leave them at once
     fatten(b, 2 * i, farthest, margin, steps)
     fatten(b, 2 * i + 1, farthest, margin, steps)
     if placed[i] == 0 then
@@ -175,7 +175,7 @@ end
 local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, margin)
-  links.unlinkAll(b, b.linked, listParted(b, strays, count))
+  links.unlinkAll(b, b.pairList, listParted(b, strays, count))
   linkNear(b, strays, askMovers(b, strays, count))
 end
 
@@ -221,12 +221,12 @@ local function unlink(b, i)
   for _, j, p in links.neighbours(b, i) do
     if filter.reason(b, i, j) then
       n = n + 1
-      b.linked[n] = p
+      b.pairList[n] = p
       support[i] = support[i] == j and 0 or support[i]
       support[j] = support[j] == i and 0 or support[j]
     end
   end
-  links.unlinkAll(b, b.linked, n)
+  links.unlinkAll(b, b.pairList, n)
 end
 
 --- Takes an object out of the pairs and the broad phase.

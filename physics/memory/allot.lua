@@ -23,7 +23,8 @@ local EVERY, BODY = layout.EVERY, layout.BODY
 -- with half of them on top, one frame of a level of 20 000 tiles takes 9 ms.)
 local ROOM, MORE = 8, 16
 -- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
--- their counts. Nothing else may: all else asks `embody` for a slot that stays.
+-- their counts. (`moveNoted` mends `slotOf`, `group.slots` and the grid.) Nothing else may: all
+-- else asks `embody` for a slot that stays.
 local KEEPERS =
   { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone", "reranked" }
 local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }

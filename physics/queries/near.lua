@@ -264,7 +264,7 @@ function near.readFilter(c, n)
   check.object(object, registry.placeOf, b, i)
   c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
   c.oneWay[n], c.mask[n] = constants.sideOf(object.oneWay), object.mask or false
-  c.hitsOnly[n] = object.hits and filter.readHits(b, object.hits) or false
+  c.hitsOnly[n] = object.hits and filter.readHits(object.hits, b.hitsOnly[i]) or false
 end
 
 -- Results -----------------------------------------------------------------------------------------

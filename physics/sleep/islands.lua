@@ -17,27 +17,31 @@
 -- there finds none of these notes. At the end of the step `mustStayAwake` says whether it is not
 -- quiet.
 --
---     mustStayAwake  a contact that is new or bounces (contactState, ball, together); another
---                    support or carrier, a hit of this update (write); a nudge (nudge), a bounded
---                    step (bounds); a way out of an overlap (overlap, crowd, patience). A body that
+--     mustStayAwake  a contact that is new or bounces (`contactState.update`, `ball.impact`,
+--                    `together.run`); another support or carrier, a hit of this update (write); a
+--                    nudge (`nudge`), a bounded step (`putBefore` in bounds); a way out of an
+--                    overlap (`bury` in overlap, `crowd.run`, `count` in patience). A body that
 --                    `heap` keeps in its place (`stillAt`) sleeps all the same.
---     moved          the game has placed, resized or filtered it
---     isPolled       one of its contacts calls `onStay` or `canCollide` in each step
---     crowd          the step has laid out its crowd
+--     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
+--                    carrier (`carriers.noteJump`)
+--     isPolled       one of its contacts asks for `onStay` (events) or `canCollide` (rules)
+--     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
 --
 -- `islands.settle` puts an island to sleep if all its bodies are quiet, its kinematic neighbours,
--- too (`gather`), the step is not below `islands.SHORTEST`, and the setting `rest` allows it.
+-- too (`gather`), and the step is not below `islands.SHORTEST`. (`step.lua` asks for that where the
+-- setting `rest` allows it.)
 --
 -- Waking: everything that could end the fixed point wakes the whole island first
 -- (`islands.wake`), before it has an effect:
 --
 -- - velocities and accelerations that the game wrote (objects/readFields), other fields, objects
 --   that come or go (objects/read), settings (objects/settings), `shift`, a restored state,
---   `dropThrough` (narrowphase/rules);
+--   `dropThrough` (world/world.lua);
 -- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/), soft crowds
 --   (motion/drift);
 -- - a moving kinematic object, and steps below SHORTEST;
--- - a path that comes near (pairFinder). In the middle of a step: the step begins anew, see solver.
+-- - a path that comes near (`wakeLinked` in pairFinder). In the middle of a step: the step begins
+--   anew, see solver.
 --
 -- So sleeping changes no result, bit for bit. A kinematic object is an island of its own: as long
 -- as it stands, it is only a wall. One search visits each body and each pair of an island once.
