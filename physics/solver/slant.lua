@@ -243,9 +243,7 @@ function slant.find(b, isFirst)
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
     local isOpen = touches[p] == APART and not (waits or b.hasOverlaps and crowd.isGhost(b, i, j))
-    if isOpen and mayPress(b, i, j) and findPair(b, p) then
-      hasNew = true
-    end
+    hasNew = isOpen and mayPress(b, i, j) and findPair(b, p) or hasNew
   end
   return hasNew
 end
