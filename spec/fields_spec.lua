@@ -172,7 +172,7 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
 
   it("refused if something else has the name of its column #files", function()
     local row = LIFT["physics/fields/fields.lua"]
-    for _, name in ipairs({ "weight", "strays", "soft" }) do -- a column, a list, a flag
+    for _, name in ipairs({ "weight", "changed", "soft" }) do -- a column, a list, a flag
       local taken = { row[1], (row[2]:gsub("lift", name, 1)) }
       with({ ["physics/fields/fields.lua"] = taken }, function(physics)
         local world, text = physics.newWorld(), "two columns have one name: " .. name

@@ -8,23 +8,17 @@ local forms = require(root .. ".fields.forms")
 local filter = {}
 
 local DYNAMIC, STATIC, max = constants.DYNAMIC, constants.STATIC, math.max
--- Maximum number of different lists of `hits` that objects with equal lists share.
-local MOST_LISTS = 16
 
 --- Returns the record that the library keeps of a list of `hits`: `names`, a copy, and `has`, by
---- name. Objects with equal lists share it.
-function filter.readHits(b, list)
-  local lists = b.hitLists
-  for n = 1, #lists do
-    if forms.isSame(list, lists[n].names) then
-      return lists[n]
-    end
+--- name. That is `known`, if it is the record of an equal list: objects in a row share it.
+function filter.readHits(list, known)
+  if known and forms.isSame(list, known.names) then
+    return known
   end
   local read = { names = forms.copy(list), has = {} }
   for n = 1, #list do
     read.has[list[n]] = true
   end
-  lists[#lists % MOST_LISTS + 1] = read
   return read
 end
 

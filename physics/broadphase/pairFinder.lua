@@ -36,12 +36,12 @@ local LEAVING = 2
 --- looked for. (Otherwise which are known depends on the past.)
 pairFinder.REACH = 1.5
 
--- Lists in b.linked the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
--- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
--- step has been told.
+-- Lists in b.pairList the pairs of the bodies in strays[1..count] with fat boxes that no longer
+-- meet. Returns how many there are. A pair stays until its contact has ended, and until its hit in
+-- this step has been told.
 local function listParted(b, strays, count)
   local fatLow, fatHigh, nextHalf, pairA, pairB = b.fatLow, b.fatHigh, b.next, b.pairA, b.pairB
-  local parted, head, place, n = b.linked, b.head, b.place, 0
+  local parted, head, place, n = b.pairList, b.head, b.place, 0
   strays[count + 1], head[0] = 0, 0
   local m, half = 1, head[strays[1]]
   while m <= count do
@@ -134,11 +134,11 @@ end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, margin)
-  local broadphase, placed, hitsOnly = b.broadphase, b.placed, b.hitsOnly
+  local broadphase, placed, hitsOnly, turn = b.broadphase, b.placed, b.hitsOnly, b.stamp % 97
   for m = 1, count do
     local i = strays[m]
     local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST
-    local steps = AHEAD * (0.6 + i % 11 * 0.08) -- so that not all leave them at once
+    local steps = AHEAD * (0.6 + i * turn % 97 / 120) -- so that not all leave them at once
     fatten(b, 2 * i, farthest, margin, steps)
     fatten(b, 2 * i + 1, farthest, margin, steps)
     if placed[i] == 0 then
@@ -175,7 +175,7 @@ end
 local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, margin)
-  links.unlinkAll(b, b.linked, listParted(b, strays, count))
+  links.unlinkAll(b, b.pairList, listParted(b, strays, count))
   linkNear(b, strays, askMovers(b, strays, count))
 end
 
@@ -183,7 +183,7 @@ end
 --- A body that is listed twice is looked at once, a body that has left the world not at all.
 --- `reach`: all pairs of paths that come as near as that are to be known, px, default 0.
 function pairFinder.run(b, list, count, reach)
-  local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
+  local strays, strayAt, active, placed, n = b.stack, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   local free = (reach or 0) * 0.5 -- px of its fat box that a path must leave free
   for at = 1, count do
@@ -221,12 +221,12 @@ local function unlink(b, i)
   for _, j, p in links.neighbours(b, i) do
     if filter.reason(b, i, j) then
       n = n + 1
-      b.linked[n] = p
+      b.pairList[n] = p
       support[i] = support[i] == j and 0 or support[i]
       support[j] = support[j] == i and 0 or support[j]
     end
   end
-  links.unlinkAll(b, b.linked, n)
+  links.unlinkAll(b, b.pairList, n)
 end
 
 --- Takes an object out of the pairs and the broad phase.
@@ -255,26 +255,29 @@ end
 -- Active pairs ------------------------------------------------------------------------------------
 
 --- Lists in b.live the pairs with an awake body, which take part in a new step, and resets their
---- step columns. They are listed anew only when a pair was made or ended, or a body woke or fell
---- asleep. Pairs that are linked in the middle of a step are appended (`links.linkAll`).
+--- step columns; and lists the free pairs. They are listed anew only when a pair was made or ended,
+--- or a body woke or fell asleep. Pairs that are linked in the middle of a step are appended
+--- (`links.linkAll`).
 function pairFinder.listLive(b)
-  local live, pairA, pairB, awakeAt, count = b.live, b.pairA, b.pairB, b.awakeAt, 0
+  local live, free, pairA, pairB, awakeAt = b.live, b.freePairs, b.pairA, b.pairB, b.awakeAt
   local hit, pressed, passing, nudged = b.hit, b.pressed, b.passing, b.nudged
   if b.liveAwakenings ~= b.awakenings then
-    b.liveAwakenings = b.awakenings
-    links.freeEnded(b)
-    for p = 1, b.awakeCount > 0 and b.pairSlots or 0 do
+    local count, freeCount = 0, 0
+    for p = 1, b.pairSlots do
       if awakeAt[pairA[p]] + awakeAt[pairB[p]] > 0 then -- slot 0, that of a free pair, sleeps
         count = count + 1
         live[count] = p
+      elseif pairA[p] == 0 then
+        freeCount = freeCount + 1
+        free[freeCount] = p
       end
     end
-    b.liveCount = count
+    b.liveCount, b.freePairCount, b.liveAwakenings = count, freeCount, b.awakenings
   end
   for n = 1, b.liveCount do
     hit[live[n]], pressed[live[n]] = 0, 0
   end
-  for n = 1, (b.mayPass or b.hasAids) and b.liveCount or 0 do
+  for n = 1, (b.hasRules or b.hasAids) and b.liveCount or 0 do
     passing[live[n]], nudged[live[n]] = false, 0
   end
 end

@@ -106,7 +106,7 @@ end
 -- about which the game must be asked is in contact once it was asked: in the next step, if there
 -- was no hit.
 local function flushContact(b, p, i, j, side)
-  local isOpen = b.mayPass and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
+  local isOpen = b.hasRules and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
   local passes = side == 0 or b.passing[p] or b.dropping[p]
   if isOpen or passes or rules.lets(b, i, j, side, false) then
     return 0

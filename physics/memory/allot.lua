@@ -23,7 +23,8 @@ local EVERY, BODY = layout.EVERY, layout.BODY
 -- with half of them on top, one frame of a level of 20 000 tiles takes 9 ms.)
 local ROOM, MORE = 8, 16
 -- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
--- their counts. Nothing else may: all else asks `embody` for a slot that stays.
+-- their counts. (`moveNoted` mends `slotOf`, `group.slots` and the grid.) Nothing else may: all
+-- else asks `embody` for a slot that stays.
 local KEEPERS =
   { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone", "reranked" }
 local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
@@ -107,7 +108,7 @@ end
 local function takePlace(b, coming)
   local i
   repeat
-    i = remove(b.freePlaces)
+    i = remove(b.slotWork.freePlaces)
   until not i or i > b.lastBody
   if not i then
     i = b.slots + 1
@@ -119,7 +120,7 @@ end
 
 -- Takes a slot with all columns. There must be one.
 local function takeBody(b, coming)
-  local i = remove(b.free)
+  local i = remove(b.slotWork.free)
   if not i then
     i = b.lastUsed + 1
     b.lastUsed, b.slots = i, max(b.slots, i)
@@ -133,8 +134,9 @@ end
 
 -- Notes that the static body in slot i, which has no neighbours, is about to move to slot j.
 local function note(b, i, j)
-  b.leftCount = b.leftCount + 1
-  b.left[b.leftCount], b.movedTo[i] = i, j
+  local work = b.slotWork
+  work.leftCount = work.leftCount + 1
+  work.left[work.leftCount], work.movedTo[i] = i, j
 end
 
 local function renameIn(movedTo, list, count)
@@ -152,14 +154,15 @@ end
 
 -- Moves the bodies that were noted, and writes their slots into the lists that keep them.
 local function moveNoted(b)
-  local left, movedTo, places = b.left, b.movedTo, b.freePlaces
+  local work = b.slotWork
+  local left, movedTo, places, count = work.left, work.movedTo, work.freePlaces, work.leftCount
   for n = 1, #EVERY.names do
-    copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, b.leftCount)
+    copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, count)
   end
   for n = 1, #KEEPERS do
     renameIn(movedTo, b[KEEPERS[n]], b[COUNTS[n]] or #b[KEEPERS[n]])
   end
-  for n = 1, b.leftCount do
+  for n = 1, count do
     local i, j = left[n], movedTo[left[n]]
     local slots = b.group[j] and b.group[j].slots or {} -- (an object that has gone is in none)
     b.slotOf[b.object[j]], slots[b.seat[j]] = j, j
@@ -173,20 +176,20 @@ local function moveNoted(b)
     blank(b, EVERY, i, i)
     movedTo[i], places[#places + 1] = nil, i
   end
-  b.leftCount = 0
+  work.leftCount = 0
 end
 
 -- Makes room for `count` more bodies with all columns.
 local function makeRoom(b, count)
   local first = b.lastBody + 1
-  if #b.free + b.lastBody - b.lastUsed >= count then
+  if #b.slotWork.free + b.lastBody - b.lastUsed >= count then
     return
   end
   b.lastBody = b.lastBody + max(count, ROOM, floor(b.lastBody / MORE))
   b.slots = max(b.slots, b.lastBody)
   prepare(b, EVERY, b.slots)
   for i = first, b.lastBody do
-    if b.object[i] and not b.movedTo[i] then
+    if b.object[i] and not b.slotWork.movedTo[i] then
       note(b, i, takePlace(b, 1))
     end
   end
@@ -196,7 +199,7 @@ end
 -- Notes the bodies of a list that have no slot with all columns, and takes one for each.
 local function noteAll(b, list, count)
   for n = 1, count do
-    if list[n] > b.lastBody and not b.movedTo[list[n]] then
+    if list[n] > b.lastBody and not b.slotWork.movedTo[list[n]] then
       makeRoom(b, 1) -- (it may move the body)
       note(b, list[n], takeBody(b, 1))
     end
@@ -208,7 +211,7 @@ function allot.embodyLinked(b, count)
   b.linkCount = count
   noteAll(b, b.linkOne, count)
   noteAll(b, b.linkOther, count)
-  if b.leftCount > 0 then
+  if b.slotWork.leftCount > 0 then
     moveNoted(b)
   end
 end
@@ -248,7 +251,7 @@ end
 
 --- Gives a slot back. Its pairs must have been unlinked.
 function allot.release(b, i)
-  local list = i > b.lastBody and b.freePlaces or b.free
+  local list = i > b.lastBody and b.slotWork.freePlaces or b.slotWork.free
   allot.clear(b, i)
   blank(b, EVERY, i, i)
   b.count, list[#list + 1] = b.count - 1, i

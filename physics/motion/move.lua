@@ -110,7 +110,7 @@ function move.run(b, dt)
     zones.run(b, b.awakeList, b.awakeCount, dt * 0.5)
   end
   fly(b, dt)
-  local isCarried = b.hasCarriers or b.drifts
+  local isCarried = b.hasCarriers or b.driftedCount > 0
   if isCarried then
     carry(b, dt)
   end

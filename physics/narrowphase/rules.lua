@@ -111,7 +111,7 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   if rules.lets(b, low, high, 2 * axis + 2, isDeep) then
     b.dropping[p] = isDropping(b, low, high)
     return true
-  elseif not b.mayPass or b.asked[p] == b.solveStamp then
+  elseif not b.hasRules or b.asked[p] == b.solveStamp then
     return false
   end
   local isRefused = b.asked[p] == -b.solveStamp -- see `foresees`

@@ -14,6 +14,23 @@
 -- compares anything. The objects that are found become a *catch*: columns by place in it. Those of
 -- them that a query keeps become its list.
 --
+-- A query has these steps (see `query.point`, and for lines `rays.raycast`):
+--
+--     local c, kept = near.begin(world, wanted), 0 -- `wanted`: the filter of the game
+--     near.rectangle(c, left, top, right, bottom) -- its candidates: places 1 to c.count
+--     for n = 1, c.count do
+--       if near.isNamed(c, n) and isHit(c, n) then -- the exact test, of shapes or lines
+--         kept = kept + 1
+--         c.found[kept], c.entry[n] = n, distance -- it is put in order by that
+--       end
+--     end
+--     return near.publish(c, kept, c.entry, out) -- a list; one object: near.first, near.finish
+--
+-- A candidate has `object`, `rank`, `kind`, `shape`, `position` and `size` (at 2 n and 2 n + 1) at
+-- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down is the axis
+-- `c.bodies.downAxis`, towards `c.bodies.orientation` of it. The filter may be a function of the
+-- game, which may ask queries itself: it is called by `publish`, `first` and `accepts` only.
+--
 -- Reads the grid, and position, size and filter of static objects; writes fat boxes and the grid.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -211,12 +228,13 @@ local function visitSlot(c, i, bound)
   return n and c.visit and c.visit(c, n, bound) or bound
 end
 
---- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of
---- them and returns the share of the line after which nothing matters (see broadphase/gridLines).
-function near.line(c, x1, y1, x2, y2, visit)
+--- Adds all objects to a catch that its line from (c.x, c.y) by (c.dx, c.dy) may meet.
+--- `visit(c, n, bound)` is called for each of them and returns the share of the line after which
+--- nothing matters (see broadphase/gridLines).
+function near.line(c, visit)
   local isLater, bound = type(c.filter) == "function", 1 -- (that may do anything, also to the grid)
   c.visit = not isLater and visit
-  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+  gridLines.walk(c.bodies.broadphase, c, visitSlot, bound)
   for n = 1, isLater and c.count or 0 do
     bound = visit(c, n, bound)
   end
@@ -246,7 +264,7 @@ function near.readFilter(c, n)
   check.object(object, registry.placeOf, b, i)
   c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
   c.oneWay[n], c.mask[n] = constants.sideOf(object.oneWay), object.mask or false
-  c.hitsOnly[n] = object.hits and filter.readHits(b, object.hits) or false
+  c.hitsOnly[n] = object.hits and filter.readHits(object.hits, b.hitsOnly[i]) or false
 end
 
 -- Results -----------------------------------------------------------------------------------------

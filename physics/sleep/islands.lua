@@ -10,15 +10,38 @@
 -- nothing else. So if the last step changed no bit of an island, nothing in it has any speed, and
 -- its surroundings stay as they are, the next step would change no bit either, nor would any step
 -- after it: the state is a fixed point. Then its movers fall asleep together, and are obstacles
--- that do not move. `tellMotion` of objects/write.lua notes of each body whether the step has
--- changed it, or the next step may do so (`mustStayAwake`); `gather` asks all. Everything that
--- could end the fixed point wakes the whole island before it has an effect:
+-- that do not move.
 --
--- - a field, mask or setting that the game wrote, a moved world, a restored state (objects/,
--- state/);
--- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/);
--- - a moving kinematic object;
--- - a path that comes near. (In the middle of a step: the step begins anew, see solver.)
+-- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step
+-- has changed no bit of its place and velocity, it has no speed and no way left, and `hasNews`
+-- there finds none of these notes. At the end of the step `mustStayAwake` says whether it is not
+-- quiet.
+--
+--     mustStayAwake  a contact that is new or bounces (`contactState.update`, `ball.impact`,
+--                    `together.run`); another support or carrier, a hit of this update (write); a
+--                    nudge (`nudge`), a bounded step (`putBefore` in bounds); a way out of an
+--                    overlap (`bury` in overlap, `crowd.run`, `count` in patience). A body that
+--                    `heap` keeps in its place (`stillAt`) sleeps all the same.
+--     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
+--                    carrier (`carriers.noteJump`)
+--     isPolled       one of its contacts asks for `onStay` (events) or `canCollide` (rules)
+--     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
+--
+-- `islands.settle` puts an island to sleep if all its bodies are quiet, its kinematic neighbours,
+-- too (`gather`), and the step is not below `islands.SHORTEST`. (`step.lua` asks for that where the
+-- setting `rest` allows it.)
+--
+-- Waking: everything that could end the fixed point wakes the whole island first
+-- (`islands.wake`), before it has an effect:
+--
+-- - velocities and accelerations that the game wrote (objects/readFields), other fields, objects
+--   that come or go (objects/read), settings (objects/settings), `shift`, a restored state,
+--   `dropThrough` (world/world.lua);
+-- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/), soft crowds
+--   (motion/drift);
+-- - a moving kinematic object, and steps below SHORTEST;
+-- - a path that comes near (`wakeLinked` in pairFinder). In the middle of a step: the step begins
+--   anew, see solver.
 --
 -- So sleeping changes no result, bit for bit. A kinematic object is an island of its own: as long
 -- as it stands, it is only a wall. One search visits each body and each pair of an island once.

@@ -234,24 +234,18 @@ end
 
 -- Walls -------------------------------------------------------------------------------------------
 
--- Returns the body of row c that a wall stops: the other body of the row cannot be moved along
--- their normal, since it is immovable, or held. Nil: neither body is stopped.
-local function moverOf(b, c)
-  local s = b.slants
-  local i, j = s.one[c], s.other[c]
-  local ix, iy, jx, jy = ball.weigh(b, i, j, s.nx[c], s.ny[c])
-  local isOne, isOther = max(ix, iy) > 0, max(jx, jy) > 0
-  return isOne ~= isOther and (isOne and i or j) or nil
-end
-
--- Lists the rows with a wall by the body that it stops.
+-- Lists the rows with a wall by the body that it stops: the other body of the row cannot be moved
+-- along their normal, since it is immovable, or held, or not pushable.
 local function listWalls(b)
   local s = b.slants
   s.walledCount = 0
   for n = 1, s.rows do
     local c = s.order[n]
-    local mover = moverOf(b, c)
-    if mover then
+    local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
+    local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
+    local isOne, isOther = nx * nx * ix + ny * ny * iy > 0, nx * nx * jx + ny * ny * jy > 0
+    if isOne ~= isOther then
+      local mover = isOne and i or j
       if s.wallsAt[mover] ~= s.stamp then
         s.walledCount = s.walledCount + 1
         s.walled[s.walledCount], s.wallsAt[mover], s.firstWall[mover] = mover, s.stamp, 0
@@ -273,7 +267,8 @@ end
 -- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
 -- nearest velocity that goes into none. That is no further away than where it began, or a
 -- standstill, and the ways of the walls. (The corner of walls that come from opposite sides may be
--- anywhere.)
+-- anywhere.) A body that has no such place is in a vice: from now on it stops those that are not
+-- pushable (see `weigh` in narrowphase/ball.lua).
 local function leaveWalls(b, column, isOfSpeeds)
   local s = b.slants
   for n = 1, s.walledCount do
@@ -294,6 +289,8 @@ local function leaveWalls(b, column, isOfSpeeds)
     local x, y = planes.nearest(column[k], column[k + 1], most)
     if x then
       column[k], column[k + 1] = x, y
+    else
+      s.viceAt[i] = b.solveStamp
     end
   end
 end

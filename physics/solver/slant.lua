@@ -60,9 +60,9 @@ function slant.begin(b)
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
     -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
-    -- next one.
+    -- next one; by slot: the last solve that it found no place in front of all its walls.
     s.rows, s.walledCount, s.order, s.mark, s.jamAt = 0, 0, {}, {}, {}
-    s.wallsAt, s.walled, s.firstWall, s.nextWall = {}, {}, {}, {}
+    s.wallsAt, s.walled, s.firstWall, s.nextWall, s.viceAt = {}, {}, {}, {}, {}
     -- By slot: when something immovable touched it slanted as a step began; when it was first met
     -- by something immovable, and in which plane.
     s.leansAt, s.firstAt, s.firstOf = {}, {}, {}
@@ -122,18 +122,19 @@ local function mayPress(b, i, j)
 end
 
 -- Makes plane c, or a new one, of pair p.
-local function put(b, c, p, i, j, nx, ny, least, time, speed)
-  local s = b.slants
+local function put(b, c, p, nx, ny, least, time)
+  local s, i, j = b.slants, slotsOf(b, p)
   s.count = max(s.count, c)
   s.pair[c], s.one[c], s.other[c], s.nx[c], s.ny[c], s.least[c] = p, i, j, nx, ny, least
-  s.time[c], s.speed[c], s.slop[c] = time, speed, ball.slop(b, i, j)
+  s.time[c], s.speed[c], s.slop[c] = time, 0.0, ball.slop(b, i, j)
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), b.rank[i], b.rank[j]
   s.push[c], s.impulse[c], s.total[c], s.isNew[c], s.isFlush[c] = 0.0, 0.0, 1.0, true, false
   s.start[c] = b.lastImpulse[p]
   b.touches[p] = SLANTED
 end
 
-local function noteHit(b, p, i, j, nx, ny, time, speed)
+local function noteHit(b, p, nx, ny, time, speed)
+  local i, j = slotsOf(b, p)
   local axis, isLow = shapes.sideOf(nx, ny, false)
   impact.note(b, p, isLow and i or j, axis, speed, time)
 end
@@ -141,9 +142,10 @@ end
 -- Adds a pair that is apart and meets at moment `time`. Of the immovable ones that a body meets
 -- only the first one counts now: that turns the body, so that it may not come to the others (as to
 -- the seam of two tiles). Returns whether the pair was added.
-local function putFirst(b, p, i, j, nx, ny, least, time, speed)
+local function putFirst(b, p, nx, ny, least, time, speed)
+  local i, j = slotsOf(b, p)
   if b.contact[p] == 0 and time < 1 then
-    noteHit(b, p, i, j, nx, ny, time, speed) -- while the paths still lead there
+    noteHit(b, p, nx, ny, time, speed) -- while the paths still lead there
   end
   local s, mover = b.slants, b.give[2 * i] == 0 and j or b.give[2 * j] == 0 and i or 0
   local c = mover > 0 and s.firstAt[mover] == s.stamp and s.firstOf[mover]
@@ -157,7 +159,8 @@ local function putFirst(b, p, i, j, nx, ny, least, time, speed)
     c = s.count + 1
     s.firstAt[mover], s.firstOf[mover] = s.stamp, c
   end
-  put(b, c, p, i, j, nx, ny, least, time, speed)
+  put(b, c, p, nx, ny, least, time)
+  s.speed[c] = speed
   return true
 end
 
@@ -169,17 +172,17 @@ function slant.takes(b, p)
     return false
   end
   local gap, nx, ny = ball.gapIn(b, b.from, i, j)
-  local u = -along(b.speed, i, j, nx, ny)
+  local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
   if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
     return false
-  elseif (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
+  elseif gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
     return false
   elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
-  local slop = ball.slop(b, i, j)
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
-  put(b, b.slants.count + 1, p, i, j, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0, u)
+  put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
+  b.slants.speed[c] = u
   return true
 end
 
@@ -220,7 +223,7 @@ local function findPair(b, p)
     return false
   end
   local least = along(b.from, i, j, nx, ny) - gap
-  return putFirst(b, p, i, j, nx, ny, least, time, max(u, 0.0))
+  return putFirst(b, p, nx, ny, least, time, max(u, 0.0))
 end
 
 -- Marks the bodies that something immovable touches slanted where the step begins.
@@ -257,18 +260,20 @@ function slant.find(b, isFirst)
   return hasNew
 end
 
---- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. Returns
---- whether it did.
+--- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The
+--- two may be deep in each other, if others have pushed them there in this step.) Returns whether
+--- it did.
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
     return false
   end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  if gap < -LOST * ball.smallest(b, i, j) or nx == 0 or ny == 0 then
+  local isLost = gap < -LOST * ball.smallest(b, i, j) and ball.gapIn(b, b.origin, i, j) < -EPSILON
+  if isLost or nx == 0 or ny == 0 then
     return false
   end
-  put(b, b.slants.count + 1, p, i, j, nx, ny, x * nx + y * ny - min(gap, 0.0), t, 0.0)
+  put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
   return true
 end
 
@@ -305,7 +310,7 @@ function slant.tell(b)
     if s.isFlush[c] then
       b.resolved = b.resolved + 1
       if b.contact[p] == 0 then
-        noteHit(b, p, s.one[c], s.other[c], s.nx[c], s.ny[c], s.time[c], max(s.speed[c], 0.0))
+        noteHit(b, p, s.nx[c], s.ny[c], s.time[c], max(s.speed[c], 0.0))
       end
     elseif b.contact[p] == 0 then
       b.hit[p] = 0

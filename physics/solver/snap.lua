@@ -17,7 +17,11 @@
 -- the ground is made again, with leave to drop that far at each edge.
 --
 -- One pass is enough, because the lowest bodies come first: when a rider's turn comes, its support
--- is in place. Heights are those of ground.
+-- is in place. Heights are as in ground.lua: the further up, the less.
+--
+-- Only boxes are lowered, not sensors nor bodies that are buried in others, and only if they do not
+-- move up in the step. A lowered body takes the speed of its ground; those that stand on it may go
+-- down by as much as it did (`lowered`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local allot = require(root .. ".memory.allot")

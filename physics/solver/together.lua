@@ -11,6 +11,10 @@
 -- energy: w - v is normal to w (else w would not be the nearest). Pairs that close then, behind the
 -- first ones, meet in the next round, at the same moment.
 --
+-- Impacts join if their moment is the same, as it is rounded for sorting, they may bounce, are not
+-- deep, and no earlier impact of the round has changed their bodies. Restitution counts only for a
+-- pair that closes by more than its acceleration gives it in two steps.
+--
 -- The impulses are found pair by pair, each >= 0, until none changes (projected Gauss-Seidel).
 --
 -- Source: B. Smith, D. Kaufman, E. Vouga, R. Tamstorf, E. Grinspun, Reflections on Simultaneous

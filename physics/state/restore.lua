@@ -44,7 +44,8 @@ local function keyOf(group, m)
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
--- in a state from elsewhere: fields of the game may be on other objects then. nil: none.
+-- in a state from elsewhere: then fields may land on the wrong objects. nil: there is no
+-- such group.
 -- (Of a group of loaded objects that says nothing.)
 local function misfit(world, st, named)
   for _, group in ipairs(st.groups) do

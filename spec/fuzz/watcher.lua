@@ -104,16 +104,17 @@ local function isOnSlope(object, solids)
 end
 
 -- Returns the energy of all that moves, if each were faster by `gain` px/s and its drift; nil: of
--- what has moved, but for balls that a vice shoots out. (A box that walks on a slope, or below one,
--- keeps its velocity on x, and has one on y besides.)
+-- what has moved, but for balls that a vice shoots out, or a strong hero as fast as `vice` allows.
+-- (A box that walks on a slope, or below one, keeps its velocity on x, and has one on y besides.)
 local function energyOf(self, gain)
   local energy = 0
   for n, object in ipairs(self.game.movers) do
-    local vx, vy, isShot = object.vx or 0, object.vy or 0, self.was[object].isSqueezed
+    local vx, vy, was = object.vx or 0, object.vy or 0, self.was[object]
     if not (gain or object.radius) and isOnSlope(object, self.game.solids) then
       vy = 0
     end
     local speed = sqrt(vx * vx + vy * vy) + (gain and gain + driftOf(self.game, n) or 0)
+    local isShot = was.isSqueezed or was.isPressed and speed <= (self.game.vice or 0) * self.fastest
     local mass = (object.mass or 1) * (object.strength and STRONG or 1)
     energy = energy + (not gain and isShot and 0 or mass / 2 * speed * speed)
   end
@@ -246,6 +247,8 @@ function watcher.check(self, dt)
       if depth > SEEN and not isHeld then
         return "inside", ("%d is %g px in solid %d"):format(n, depth, m)
       end
+      -- (What a machine has pressed into a pit of slopes is no crush, and leaves it in some steps.)
+      self.held[object] = self.held[object] or depth > SEEN or nil
     end
     local far = jumped(self, object, dt)
     local isStill = self.held[object]
@@ -266,7 +269,8 @@ function watcher.check(self, dt)
   return findDeep(self, dt)
 end
 
---- Looks whether the hero of a game is stuck: no machine is near, and it can leave in no direction.
+--- Looks whether the hero of a game is stuck: no machine is near, and it can leave in no direction
+--- though nothing else is driven or braked. (A crowd may press it to a wall with all its weight.)
 --- Returns what is wrong, or nil. The game is as before.
 function watcher.findStuck(self)
   local game, most = self.game, 0
@@ -276,6 +280,9 @@ function watcher.findStuck(self)
   end
   for n = 0, 3 do
     local x, y = hero.x, hero.y
+    for _, object in ipairs(game.movers) do
+      object.vx, object.vy, object.ax, object.ay, object.drag = 0, 0, 0, 0, object.drag and 0
+    end
     for _ = 1, 10 do
       hero.gravity = 0
       hero.vx, hero.vy = 60 * ({ 1, -1, 0, 0 })[n + 1], 60 * ({ 0, 0, 1, -1 })[n + 1]

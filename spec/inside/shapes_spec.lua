@@ -139,7 +139,8 @@ it("lines.passage begins and ends where points of the line are in the shape", fu
     h = shape == 1 and w or h
     local x, y = random:between(-60, 60), random:between(-60, 60)
     local dx, dy = random:between(-99, 99) + 0.5, random:between(-99, 99) + 0.5
-    local enters, leaves = lines.passage(shape, 0, 0, w, h, x, y, dx, dy)
+    local columns = { shape = { shape }, position = { 0, 0, 0 }, size = { 0, w, h } }
+    local enters, leaves = lines.passage(columns, 1, x, y, dx, dy)
     for at = 0, 1, 0.05 do
       local isIn = lines.isIn(shape, 0, 0, w, h, x + dx * at, y + dy * at)
       local isNear = math.abs(at - enters) < 1e-9 or math.abs(at - leaves) < 1e-9

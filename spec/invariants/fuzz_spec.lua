@@ -215,6 +215,10 @@ describe("games of the kinds that are made show nothing that a player would noti
       end
     end)
   end
+
+  it("survivors, in which a ball that others press met the hero in vain in each round", function()
+    assert.is_nil(games.play("survivors", 287, true))
+  end)
 end)
 
 -- What the games are watched with, against scenes worked out by hand.

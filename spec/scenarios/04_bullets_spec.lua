@@ -1,5 +1,7 @@
 --- Nothing is too fast.
 
+local costOf = require("spec.support.instructions")
+local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
@@ -86,4 +88,23 @@ describe("vx and onBegin: bullets", function()
     { 1 / 6, "bullet at 6000 * t, 48", "bullet.vx == 6000", "bullet touches" },
     "sensor heard 1, 1; bullet heard 1, 1; log.begins == 1; log.ends == 1",
   })
+end)
+
+--   \ | /
+--   -  o  -      200 bullets from one place, at one speed; nothing is there to be hit
+--   / | \
+it("hits: bullets added together never have their neighbours looked up all in one step", function()
+  local world, costs = physics.newWorld({ gravity = 0 }), {}
+  for i = 1, 200 do
+    local shot = { x = 0, y = 0, width = 6, height = 6, sensor = true, hits = { "players" } }
+    shot.vx, shot.vy = math.sin(i) * 150, math.cos(i) * 150
+    world:add("bullets", shot)
+  end
+  for n = -39, 100 do
+    costs[n] = costOf(function()
+      world:update(1 / 60)
+    end)
+  end
+  table.sort(costs)
+  assert(costs[100] <= 2 * costs[50], ("%g times the median"):format(costs[100] / costs[50]))
 end)

@@ -117,3 +117,128 @@ describe("x and y: a knot", function()
     end
   end)
 end)
+
+-- Moments of random games (spec/fuzz/games.lua) without gravity, made small. `o`: a circle, `b`: a
+-- box; x, y, width, vx, vy, and perhaps `fixed` (not pushable), `strong`, `wall`, `elastic`,
+-- `heavy`. The game writes these velocities in each step (`-`: none). The `pair` must not come
+-- deeper into each other.
+describe("x, y, vx and vy: a knot of a random game", function()
+  local function read(text)
+    local objects, pair = {}, {}
+    local pattern = "(%l) (%S+) (%S+) (%S+) (%S+) ([^%s,]+)([^,]*)"
+    for shape, x, y, size, vx, vy, words in text:gmatch(pattern) do
+      local width = tonumber(size)
+      local object = small.put(tonumber(x), tonumber(y), width, width)
+      object.radius = shape == "o" and width / 2 or nil
+      object.pushable, object.strength = not words:find("fixed"), words:find("strong") and 1
+      object.static, object.mass = words:find("wall") ~= nil, words:find("heavy") and 3
+      object.restitution = words:find("elastic") and 0.5
+      table.insert(objects, { object = object, vx = tonumber(vx), vy = tonumber(vy) })
+      if words:find("pair") then
+        table.insert(pair, object)
+      end
+    end
+    return objects, pair
+  end
+
+  small.rows("{1}", {
+    {
+      "a strong box walks over a box, along a pillar",
+      30,
+      1,
+      "b 189 146 16 80 - pair strong, b 184 162 18 - - pair, b -64 180 368 - - wall,"
+        .. "o 200 129 18 - - wall",
+    },
+    {
+      "a hero that cannot be pushed is stopped by a ball at a wall",
+      60,
+      1,
+      "o 198.4 4 24 80 -80 fixed, o 193 26 18 23 -95 pair,"
+        .. "o 184 42.3 20 - -92 pair elastic, o 222 0.3 18 -97 - elastic,"
+        .. "b -64 -368 368 - - wall, b 240 -90 368 - - wall",
+    },
+    {
+      "a hero that cannot be pushed is stopped by a ball at a corner",
+      30,
+      1,
+      "o 14.7 154 24 - -80 fixed, o 34.34 145.5 16 - - pair elastic,"
+        .. "o 14 130 24 - - elastic, o 42 128 20 - 63 pair, b 20 106 24 - - wall",
+    },
+    {
+      "a ball meets a box straight, in which others have pushed it",
+      30,
+      1,
+      "b 112 82 16 - -, o 104 107.99 10 - -, b 108 98 10 18 - pair,"
+        .. "b 114 108 10 - -75, o 118.1 98 10 -27 -, b 97.998 98 10 - - pair,"
+        .. "b 128 94 10 -61 -",
+    },
+    {
+      "balls meet boxes in a crowd",
+      30,
+      1,
+      "b 101 87.5 11 - -, o 79.4 79 11 - -, o 90.2 77 11 - -,"
+        .. "b 101.1998 76.46 11 86 43 pair, o 112.2 71 11 - -, b 101 65 11 - 79 pair",
+    },
+    {
+      "boxes that are a rounding in others have no fewer impacts",
+      30,
+      1,
+      "b 109.939984 62 10 - -, b 119.939772 59 10 - 71 pair, b 109.94 72 10 - -,"
+        .. "b 119.9399 69.1 10 - - pair, b 130 67 10 -57 -, o 129 77 10 - -",
+    },
+    {
+      "balls that are in each other part before they bounce",
+      60,
+      5,
+      "o 19 162 18 80 -, o 35.7 154.8 18 -55 - elastic heavy, o 66.4 126 8 -48 36,"
+        .. "o 51.7 109 20 - 51 elastic heavy, o 51.7 129 18 -42 43 pair elastic,"
+        .. "o 47 145 12 -51 - pair, b -64 180 368 - - wall",
+    },
+    {
+      "two that others press into each other in the step leave each other",
+      30,
+      1,
+      "o 218 80 22 - - fixed, o 210.166 66.7 16 61 103 pair elastic,"
+        .. "o 206.3768 81.4404 12 119 -15 elastic heavy, o 189.4 91.28 10 112 -44,"
+        .. "o 192.532 78.409 14 120 - elastic heavy, o 198.973 52.1 18 68 99 heavy,"
+        .. "o 225.97 65 14 -55 106 elastic, o 200.159 69.81 10 104 60 pair elastic,"
+        .. "o 199.399 91.21 12 103 -62, o 170 96 24 114 -38,"
+        .. "o 193.6 102.95 18 - -82.3 elastic, b 240 0 180 - - wall",
+    },
+  }, function(_, rate, steps, text)
+    local world, objects, pair = physics.newWorld({ gravity = 0 }), read(text)
+    for n, entry in ipairs(objects) do
+      world:add(("things %02d"):format(n), entry.object)
+    end
+    local before = overlap(pair[1], pair[2])
+    for _ = 1, steps do
+      for _, entry in ipairs(objects) do
+        local object = entry.object
+        object.vx, object.vy = entry.vx or object.vx, entry.vy or object.vy
+      end
+      world:update(1 / rate)
+      assert.is_true(overlap(pair[1], pair[2]) < math.max(before, 0) + 0.03)
+    end
+  end)
+end)
+
+-- A ball between the wall above and a round pillar: it has room in no direction.
+--
+--    ####(ball)####
+--    (pillar)   ^ (hero)
+it("radius and pushable: a hero that cannot be pushed stops at a ball in a vice", function()
+  for _, rate in ipairs({ 30, 60, 120 }) do
+    for _, offset in ipairs({ 0, 2, -3 }) do
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("walls", small.tile(0, -20, 240, 20))
+      world:add("walls", small.ball(117.5, 22.5, 14.5, { static = true }))
+      local hero = world:add("heroes", small.ball(142 + offset, 30, 10, { pushable = false }))
+      local ball = world:add("balls", small.ball(146, 6, 6, { ax = -300 }))
+      for _ = 1, 2 * rate do
+        hero.vx, hero.vy = 0, -80
+        world:update(1 / rate)
+        assert.is_true(overlap(hero, ball) < 0.01, overlap(hero, ball))
+      end
+    end
+  end
+end)
