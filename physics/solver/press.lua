@@ -52,6 +52,9 @@ local PASSES, SHOCKS = 16, 6
 -- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
+-- Slops by which passes may leave two in each other without gravity. Less is left to later steps:
+-- after the first passes a few pairs of a large crowd are always a little too deep.
+local LEFT = 5
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
 -- Share of the smaller size that two are in each other after all passes, or would be in the next
@@ -64,12 +67,6 @@ local ROOM = 0.1
 
 -- Rows --------------------------------------------------------------------------------------------
 
--- Adds s.new[1..added] to the rows in list[1..count], in order: from below to above, then in the
--- order of the world.
-local function merge(s, list, count, added)
-  sort.merge(list, count, s.new, added, s.height, s.first, s.second)
-end
-
 -- Returns by how much the bodies of row c end nearer to each other than they may be, px.
 local function depthOf(b, c)
   local s = b.slants
@@ -81,7 +78,8 @@ end
 local function needsPress(b, c, ofAll)
   local s, dirty, stamp = b.slants, b.dirty, b.dirtyStamp
   local isChanged = ofAll or dirty[s.one[c]] == stamp or dirty[s.other[c]] == stamp
-  return s.isNew[c] or isChanged and depthOf(b, c) > s.slop[c] and s.total[c] ~= 0
+  local most = (b.isWeightless and LEFT or 1) * s.slop[c]
+  return s.isNew[c] or isChanged and depthOf(b, c) > most and s.total[c] ~= 0
 end
 
 --- Returns whether there is a new plane, or a violated one, of changed bodies or of all (`ofAll`).
@@ -127,15 +125,15 @@ local function addContact(b, list, n, c)
   return true
 end
 
--- Lists the rows to be solved, by height. Planes keep their numbers; contacts along an axis of the
--- same bodies get the numbers behind these.
+-- Lists the rows to be solved: from below to above, then in the order of the world. Planes keep
+-- their numbers; contacts along an axis of the same bodies get the numbers behind these.
 local function listRows(b, ofAll)
   local s, last = b.slants, b.slants.count
   s.rows, s.stamp = 0, s.stamp + 1
   for c = s.kept + 1, s.count do
     s.new[c - s.kept] = c
   end
-  merge(s, s.base, s.kept, s.count - s.kept)
+  sort.merge(s.base, s.kept, s.new, s.count - s.kept, s.height, s.first, s.second)
   s.kept = s.count
   spread(b, ofAll)
   for n = 1, s.count do
@@ -150,7 +148,7 @@ local function listRows(b, ofAll)
       last = addContact(b, b.contacts[axis], n, last + 1) and last + 1 or last
     end
   end
-  merge(s, s.order, s.rows, last - s.count)
+  sort.merge(s.order, s.rows, s.new, last - s.count, s.height, s.first, s.second)
   s.rows = s.rows + last - s.count
 end
 

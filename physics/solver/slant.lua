@@ -56,7 +56,7 @@ function slant.begin(b)
     s.isNew, s.isFlush = {}, {} -- it was not solved yet; the two touch at the end of the step
     s.push, s.impulse = {}, {} -- by how much they are pushed apart: places, kg px; speeds, kg px/s
     s.start = {} -- impulse with which the passes begin, see `weigh` in press
-    s.height, s.first, s.second, s.new = {}, {}, {}, {} -- the order, see `merge` in press
+    s.height, s.first, s.second, s.new = {}, {}, {}, {} -- the order, see `listRows` in press
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
     -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
@@ -253,9 +253,7 @@ function slant.find(b, isFirst)
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
     local isOpen = touches[p] == APART and not (waits or b.hasOverlaps and crowd.isGhost(b, i, j))
-    if isOpen and mayPress(b, i, j) and findPair(b, p) then
-      hasNew = true
-    end
+    hasNew = isOpen and mayPress(b, i, j) and findPair(b, p) or hasNew
   end
   return hasNew
 end
