@@ -14,7 +14,7 @@ local BUDGET = {
   { "physics/contacts", 382 },
   { "physics/fields", 680 },
   { "physics/maps", 2483 },
-  { "physics/memory", 855 },
+  { "physics/memory", 854 },
   { "physics/motion", 983 },
   { "physics/narrowphase", 567 },
   { "physics/objects", 1296 },
