@@ -330,8 +330,7 @@ local function forgetJams(b)
     local c = s.order[n]
     local i, j = s.one[c], s.other[c]
     local most = JAMMED * ball.smallest(b, i, j)
-    local isFast = s.isFlush[c] and -along(b.speed, i, j, s.nx[c], s.ny[c]) * b.dt > most
-    if isFast or depthOf(b, c) > most then
+    if depthOf(b, c) > most then
       s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
     end
   end
@@ -418,6 +417,7 @@ end
 --- whether there are planes.
 function press.finish(b)
   local s = b.slants
+  slant.findLate(b)
   if s.count == 0 then
     return false
   elseif press.isNeeded(b, true) then
