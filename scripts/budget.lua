@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/memory", 856 },
   { "physics/motion", 988 },
   { "physics/narrowphase", 567 },
-  { "physics/objects", 1298 },
+  { "physics/objects", 1299 },
   { "physics/overlaps", 830 },
   { "physics/queries", 968 },
   { "physics/sleep", 83 },
