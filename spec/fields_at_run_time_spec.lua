@@ -221,3 +221,40 @@ describe("every field and setting at run time:", function()
     { "world:refresh(wall.raw)", "box.vx = 600", { steps = 1 }, "box.x == x" },
   }, { "x", { 26 }, { 300 } })
 end)
+
+-- Each set of fields has a function that compares objects (readFields). One that says "it may have
+-- changed" of an object that has not is no fault of the result, but slow in each update from then on.
+describe("each field", function()
+  local function isFound(world, object)
+    local b = world._bodies
+    local i = b.slotOf[object]
+    return b.comparer[i](b, i, object) == true
+  end
+
+  local title = "is compared at once after its default was written: {1}"
+  small.rows(title, { "sensor", "mass" }, function(name)
+    local world = small.still()
+    local object = world:add("boxes", small.box(0, 0))
+    world:update(DT)
+    object[name] = fields.objectByName[name].default
+    world:update(DT)
+    assert.is_true(isFound(world, object))
+    object[name] = nil
+    world:update(DT)
+    assert.is_true(isFound(world, object))
+  end)
+
+  it("is compared at once in a game of many sets of fields", function()
+    local world, object = small.still(), nil
+    local names = { "mass", "friction", "restitution", "drag", "strength", "snap", "nudge", "ax" }
+    for n = 0, 255 do
+      object = small.box(20 * n, 0)
+      for bit, name in ipairs(names) do
+        object[name] = math.floor(n / 2 ^ bit) % 2 == 1 and 0.5 or nil
+      end
+      world:add("boxes", object)
+    end
+    world:update(DT)
+    assert.is_true(isFound(world, object))
+  end)
+end)

@@ -135,7 +135,7 @@ end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, margin)
-  local broadphase, hitsOnly, turn = b.broadphase, b.hitsOnly, b.stamp % 97
+  local broadphase, hitsOnly, turn = b.broadphase, b.hitsOnly, 1 + b.stamp % 96
   for m = 1, count do
     local i = strays[m]
     local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST

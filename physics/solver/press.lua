@@ -56,9 +56,10 @@ local PASSES, SHOCKS = 16, 6
 -- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
--- Slops by which passes may leave two in each other without gravity. Less is left to later steps:
--- after the first passes a few pairs of a large crowd are always a little too deep.
-local LEFT = 5
+-- Slops, and px at most, by which passes may leave two in each other without gravity. Less is left to
+-- later steps: after the first passes a few pairs of a large crowd are always a little too deep.
+-- (Without the bound large bodies stay 0.4 px in each other.)
+local LEFT, DEEPEST = 5, 0.12
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
 -- Share of the smaller size that two are in each other after all passes, or would be in the next
@@ -82,8 +83,9 @@ end
 local function needsPress(b, c, ofAll)
   local s, dirty, stamp = b.slants, b.dirty, b.dirtyStamp
   local isChanged = ofAll or dirty[s.one[c]] == stamp or dirty[s.other[c]] == stamp
-  local most = (b.isWeightless and LEFT or 1) * s.slop[c]
-  return s.isNew[c] or isChanged and depthOf(b, c) > most and s.total[c] ~= 0
+  local most = b.isWeightless and min(LEFT * s.slop[c], DEEPEST) or 0.0
+  local isDeep = isChanged and depthOf(b, c) > max(s.slop[c], most)
+  return s.isNew[c] or isDeep and s.total[c] ~= 0
 end
 
 --- Returns whether there is a new plane, or a violated one, of changed bodies or of all (`ofAll`).
@@ -190,10 +192,11 @@ local function weigh(b, isShock)
     local k, m = 2 * i, 2 * j
     local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
     local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
-    local areLoose = give[k] > 0 and give[m] > 0
-    if isShock and areLoose and share < -ABOVE then
+    local isInVice = s.viceAt[i] == b.solveStamp or s.viceAt[j] == b.solveStamp
+    local mayHold = isShock and give[k] > 0 and give[m] > 0 and not isInVice
+    if mayHold and share < -ABOVE then
       jx, jy = 0.0, 0.0
-    elseif isShock and areLoose and share > ABOVE then
+    elseif mayHold and share > ABOVE then
       ix, iy = 0.0, 0.0
     end
     local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)

@@ -256,3 +256,30 @@ it("radius and pushable: a hero that cannot be pushed stops at a ball in a vice"
     end
   end
 end)
+
+-- A small ball lies in a corner; the ball above it is between a pillar and the wall.
+--
+--    (pillar)(ball)#
+--    (hero)->  (o) #
+--    ###############
+it("radius and pushable: under gravity, too, it stands still there", function()
+  for _, rate in ipairs({ 30, 60, 120 }) do
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("walls", small.tile(160, -20, 20, 200))
+    world:add("walls", small.tile(0, 160, 160, 20))
+    world:add("walls", small.ball(144, 104, 16, { static = true }))
+    world:add("balls", small.ball(154.25, 154.25, 5.75))
+    local ball = world:add("balls", small.ball(149.5, 129.9, 10.5))
+    local hero = world:add("heroes", small.ball(138, 148.4, 11.5625, { pushable = false }))
+    local x
+    for step = 1, 2 * rate do
+      hero.vx = 150
+      world:update(1 / rate)
+      if step > rate then
+        assert.is_true(overlap(hero, ball) < 0.01, overlap(hero, ball))
+        assert.near(x, hero.x, 0.01)
+      end
+      x = hero.x
+    end
+  end
+end)
