@@ -3,7 +3,7 @@
 --   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going]
 --     [--bounds NAMES] [--slopes]
 --
--- `--bounds all`, or some of motion,past,rest,time (spec/fuzz/bounds.lua): these are checked, too,
+-- `--bounds all`, or some of motion,past,rest (spec/fuzz/bounds.lua): these are checked, too,
 -- and every second game is one with too little room (spec/fuzz/crowded.lua).
 --
 -- `--slopes`: games with slopes (spec/fuzz/sloped.lua).

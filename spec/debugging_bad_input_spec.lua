@@ -513,34 +513,32 @@ describe("every function: whatever it is given,", function()
   end
 end)
 
-describe("every callback: whatever it answers,", function()
-  small.each("{1} is taken or refused", {
-    ["a filter"] = function(scene, answer)
-      scene.world:queryRect(0, 0, 300, 300, answer)
-    end,
-    ["a response"] = function(scene, answer)
-      scene.world:move(scene.box, 200, 190, answer)
-    end,
-    canCollide = function(scene, answer)
-      scene.world.canCollide = answer
-      scene.world:update(DT)
-    end,
-    onBegin = function(scene, answer)
-      scene.world.onBegin, scene.sleeper.vy = answer, -100
-      scene.world:update(DT)
-    end,
-  }, function(name, call)
-    for _, m in ipairs(someValues()) do
-      local scene = newScene()
-      local value = newValues(scene)[m]
-      local what = name .. " returns " .. nameOf(m, value)
-      try(what, call, scene, function()
-        return value
-      end)
-      scene.world.canCollide = nil
-      checkAlive(scene, what)
-    end
-  end)
+small.each("every callback: whatever it answers, {1} is taken or refused", {
+  ["a filter"] = function(scene, answer)
+    scene.world:queryRect(0, 0, 300, 300, answer)
+  end,
+  ["a response"] = function(scene, answer)
+    scene.world:move(scene.box, 200, 190, answer)
+  end,
+  canCollide = function(scene, answer)
+    scene.world.canCollide = answer
+    scene.world:update(DT)
+  end,
+  onBegin = function(scene, answer)
+    scene.world.onBegin, scene.sleeper.vy = answer, -100
+    scene.world:update(DT)
+  end,
+}, function(name, call)
+  for _, m in ipairs(someValues()) do
+    local scene = newScene()
+    local value = newValues(scene)[m]
+    local what = name .. " returns " .. nameOf(m, value)
+    try(what, call, scene, function()
+      return value
+    end)
+    scene.world.canCollide = nil
+    checkAlive(scene, what)
+  end
 end)
 
 it("every function: the matrix has each public one in it, and thousands of calls", function()

@@ -259,37 +259,35 @@ local function twice(second, first)
     .. ": an object must be in one place only, got table in two"
 end
 
-describe("world:update, save and hash", function()
-  local key = " has a key that is no finite number or string, got "
-  local member = object()
-  -- what is said of these objects, beside a box
-  small.rows("refuses: {1}; nothing has entered", {
-    { "objects must be a table of groups, got 7", 7 },
-    { "objects must be a table of groups, got nil" },
-    { "objects.coins must be a group (a table of objects) or an object, got 5", { coins = 5 } },
-    { "objects" .. key .. "true", { [true] = {} } },
-    { "objects.boxes" .. key .. "table", { boxes = { [{}] = object() } } },
-    { "objects" .. key .. "inf", { [INF] = { object() } } },
-    { "objects.boxes" .. key .. "-inf", { boxes = { [-INF] = object() } } },
-    { 'objects.boxes[3] must be an object (a table), got "crate"', { boxes = { [3] = "crate" } } },
-    { "objects.boxes.hit must be an object (a table), got function", { boxes = { hit = print } } },
-    { twice("boxes[3]", "boxes[1]"), { boxes = { member, [3] = member } } },
-    { twice("coins[1]", "boxes[1]"), { boxes = { member }, coins = { member } } },
-    { twice("player", "boxes[1]"), { boxes = { member }, player = member } },
-    {
-      "objects.boxes[2].mass must be a number > 0, got 0",
-      { boxes = { member, object({ mass = 0 }) } },
-    },
-  }, function(words, objects)
-    local world = physics.newWorld({ order = { "boxes" } })
-    world.objects, member.touching = objects, nil
-    for _, call in ipairs({ "update", "save", "hash" }) do
-      refuses(words, function()
-        world[call](world, call == "update" and 1 / 60 or nil)
-      end)
-    end
-    assert.is_nil(member.touching)
-  end)
+local key = " has a key that is no finite number or string, got "
+local member = object()
+-- what is said of these objects, beside a box
+small.rows("world:update, save and hash refuses: {1}; nothing has entered", {
+  { "objects must be a table of groups, got 7", 7 },
+  { "objects must be a table of groups, got nil" },
+  { "objects.coins must be a group (a table of objects) or an object, got 5", { coins = 5 } },
+  { "objects" .. key .. "true", { [true] = {} } },
+  { "objects.boxes" .. key .. "table", { boxes = { [{}] = object() } } },
+  { "objects" .. key .. "inf", { [INF] = { object() } } },
+  { "objects.boxes" .. key .. "-inf", { boxes = { [-INF] = object() } } },
+  { 'objects.boxes[3] must be an object (a table), got "crate"', { boxes = { [3] = "crate" } } },
+  { "objects.boxes.hit must be an object (a table), got function", { boxes = { hit = print } } },
+  { twice("boxes[3]", "boxes[1]"), { boxes = { member, [3] = member } } },
+  { twice("coins[1]", "boxes[1]"), { boxes = { member }, coins = { member } } },
+  { twice("player", "boxes[1]"), { boxes = { member }, player = member } },
+  {
+    "objects.boxes[2].mass must be a number > 0, got 0",
+    { boxes = { member, object({ mass = 0 }) } },
+  },
+}, function(words, objects)
+  local world = physics.newWorld({ order = { "boxes" } })
+  world.objects, member.touching = objects, nil
+  for _, call in ipairs({ "update", "save", "hash" }) do
+    refuses(words, function()
+      world[call](world, call == "update" and 1 / 60 or nil)
+    end)
+  end
+  assert.is_nil(member.touching)
 end)
 
 describe("world:update", function()

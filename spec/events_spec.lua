@@ -133,16 +133,14 @@ describe("onBegin, onStay, onEnd", function()
   })
 end)
 
-describe("onStay", function()
-  row("is told at every step, also of one that rests: to the {owner}", { FLOOR, box({ y = 84 }) }, {
-    1,
-    "world.stats.resting == 1; stays = 0",
-    "function {owner}.onStay() stays = stays + 1 end",
-    "world:refresh(floor.raw)", -- of a static object it is read once
-    { steps = 100 },
-    "stays == 100",
-  }, { "owner", { "box.raw" }, { "floor.raw" }, { "world" } })
-end)
+row("onStay: tells the {owner} at every step, also of one that rests", { FLOOR, box({ y = 84 }) }, {
+  1,
+  "world.stats.resting == 1; stays = 0",
+  "function {owner}.onStay() stays = stays + 1 end",
+  "world:refresh(floor.raw)", -- of a static object it is read once
+  { steps = 100 },
+  "stays == 100",
+}, { "owner", { "box.raw" }, { "floor.raw" }, { "world" } })
 
 describe("onBegin and onEnd", function()
   row("are not told while it leans on a wall after the push has ended", {
@@ -343,27 +341,25 @@ local WAYS = {
 }
 
 describe("onBegin: a spike that", function()
-  for how, come in pairs(WAYS) do
-    it(how .. " tells that it touches, once, at no speed of its own", function()
-      for n = 0, 11 do
-        local world, told = physics.newWorld({ gravity = n % 2 * 800 }), {}
-        world:add("floors", small.tile(-500, 400, 1000, 20))
-        local man = { x = 40, y = 376, width = 24, height = 24, radius = n > 5 and 12 or nil }
-        world:add("men", man)
-        local spike = world:add("spikes", small.put(120, 380, 24, 20))
-        spike.static, spike.kinematic = n % 3 == 0 or nil, n % 3 == 1 or nil
-        world:refresh(spike)
-        small.run(world, 20)
-        function man.onBegin(_, other, side, speed)
-          local isRight = world:groupOf(other) == "spikes" and man.touching[side] == other
-          told[#told + 1] = isRight and speed <= (man.radius and 800 / 60 or 0)
-        end
-        come(world, spike, man)
-        small.run(world, 10)
-        assert.same({ n, { true } }, { n, told })
+  small.each("{1} tells that it touches, once, at no speed of its own", WAYS, function(_, come)
+    for n = 0, 11 do
+      local world, told = physics.newWorld({ gravity = n % 2 * 800 }), {}
+      world:add("floors", small.tile(-500, 400, 1000, 20))
+      local man = { x = 40, y = 376, width = 24, height = 24, radius = n > 5 and 12 or nil }
+      world:add("men", man)
+      local spike = world:add("spikes", small.put(120, 380, 24, 20))
+      spike.static, spike.kinematic = n % 3 == 0 or nil, n % 3 == 1 or nil
+      world:refresh(spike)
+      small.run(world, 20)
+      function man.onBegin(_, other, side, speed)
+        local isRight = world:groupOf(other) == "spikes" and man.touching[side] == other
+        told[#told + 1] = isRight and speed <= (man.radius and 800 / 60 or 0)
       end
-    end)
-  end
+      come(world, spike, man)
+      small.run(world, 10)
+      assert.same({ n, { true } }, { n, told })
+    end
+  end)
 end)
 
 describe("onBegin: the place of a contact", function()

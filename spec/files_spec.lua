@@ -45,44 +45,42 @@ describe("newWorld: two worlds", function()
   end)
 end)
 
-describe("require: the library in a folder of the game", function()
-  -- The interpreter that runs this spec, with its arguments.
-  local function interpreter()
-    local args, first = rawget(_G, "arg"), 0
-    while args[first - 1] do
-      first = first - 1
-    end
-    return args[first]
+-- The interpreter that runs this spec, with its arguments.
+local function interpreter()
+  local args, first = rawget(_G, "arg"), 0
+  while args[first - 1] do
+    first = first - 1
   end
+  return args[first]
+end
 
-  it("works as lib.physics, blames the game, sets no global, needs nothing else #posix", function()
-    local folder = os.tmpname()
-    os.remove(folder)
-    files.output(("mkdir -p '%s/lib' && cp -r physics.lua physics '%s/lib'"):format(folder, folder))
-    files.write(
-      folder .. "/main.lua",
-      [[
-        local before = {}
-        for name in pairs(_G) do before[name] = true end
-        local physics = require "lib.physics"
-        physics.load { gravity = 800 }
-        physics.add("tiles", { x = 0, y = 100, width = 100, height = 10, static = true })
-        local box = physics.add("boxes", { x = 0, y = 0, width = 16, height = 16 })
-        for _ = 1, 60 do physics.update(1 / 60) end
-        assert(box.y == 84 and box.touching.bottom)
-        physics.globals()
-        objects, physics_load, physics_update, checkCollision, inside, bump = nil
-        for name in pairs(_G) do assert(before[name], name) end
-        for name in pairs(package.loaded) do
-          assert(name ~= "physics" and not name:find("^physics%."), name)
-        end
-        local ok, message = pcall(function() physics.update(-1) end)
-        assert(message:find("^%.?/?main.lua:%d+: physics: world:update"), message)
-        print("it works")
-      ]]
-    )
-    local printed = files.output(("cd '%s' && '%s' main.lua 2>&1"):format(folder, interpreter()))
-    files.output(("rm -r '%s'"):format(folder))
-    assert.equal("it works\n", printed)
-  end)
+it("require: lib.physics works, blames the game, needs nothing else #posix", function()
+  local folder = os.tmpname()
+  os.remove(folder)
+  files.output(("mkdir -p '%s/lib' && cp -r physics.lua physics '%s/lib'"):format(folder, folder))
+  files.write(
+    folder .. "/main.lua",
+    [[
+      local before = {}
+      for name in pairs(_G) do before[name] = true end
+      local physics = require "lib.physics"
+      physics.load { gravity = 800 }
+      physics.add("tiles", { x = 0, y = 100, width = 100, height = 10, static = true })
+      local box = physics.add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      for _ = 1, 60 do physics.update(1 / 60) end
+      assert(box.y == 84 and box.touching.bottom)
+      physics.globals()
+      objects, physics_load, physics_update, checkCollision, inside, bump = nil
+      for name in pairs(_G) do assert(before[name], name) end
+      for name in pairs(package.loaded) do
+        assert(name ~= "physics" and not name:find("^physics%."), name)
+      end
+      local ok, message = pcall(function() physics.update(-1) end)
+      assert(message:find("^%.?/?main.lua:%d+: physics: world:update"), message)
+      print("it works")
+    ]]
+  )
+  local printed = files.output(("cd '%s' && '%s' main.lua 2>&1"):format(folder, interpreter()))
+  files.output(("rm -r '%s'"):format(folder))
+  assert.equal("it works\n", printed)
 end)

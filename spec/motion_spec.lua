@@ -127,30 +127,26 @@ describe("ax and maxSpeedX: an engine that pushes at its limit", function()
 end)
 
 -- 1600 px/s² against two crates of 1000 each: they hold. One of them does not.
-describe("drag of what is pushed", function()
-  row("holds an engine as friction does, {count} crates", LEVELS, function(v)
-    local crate, list = scene.maker("crates", { drag = 1000 }), { gravity = 0, box({ ax = 1600 }) }
-    for n = 1, v.count do
-      list[n + 1] = crate("crate" .. n, 20 * n, -20, 20, 20)
-    end
-    return list
-  end, { 1, "a.x ~ x" }, { "count, x", { 1, 150 }, { 2, 0 } })
-end)
+row("drag of what is pushed holds an engine as friction does, {count} crates", LEVELS, function(v)
+  local crate, list = scene.maker("crates", { drag = 1000 }), { gravity = 0, box({ ax = 1600 }) }
+  for n = 1, v.count do
+    list[n + 1] = crate("crate" .. n, 20 * n, -20, 20, 20)
+  end
+  return list
+end, { 1, "a.x ~ x" }, { "count, x", { 1, 150 }, { 2, 0 } })
 
 -- Right at a floor, above the limit; struck by something heavy; in a vice.
-describe("maxSpeed: nothing is ever faster than that", function()
-  row("{what}", LEVELS, function(v)
-    local list = { gravity = v.gravity, FLOOR }
-    list[2] = box({ maxSpeed = 200, restitution = 1, vy = v.vy })
-    list[3] = box({ name = "b", x = 60, vx = v.vx, mass = 100, restitution = 1, gravity = 0 })
-    return list
-  end, {
-    { 0.5, "a.vx ^ 2 + a.vy ^ 2 <= 200 ^ 2 + 1e-6" },
-    "b.vx = 0",
-  }, {
-    "what, gravity, vx, vy",
-    { "at a floor that it touches", 0, 0, 296 },
-    { "the same under gravity", 1200, 0, 600 },
-    { "what a heavy one strikes", 1200, -900, 100 },
-  })
-end)
+row("maxSpeed: nothing is ever faster than that {what}", LEVELS, function(v)
+  local list = { gravity = v.gravity, FLOOR }
+  list[2] = box({ maxSpeed = 200, restitution = 1, vy = v.vy })
+  list[3] = box({ name = "b", x = 60, vx = v.vx, mass = 100, restitution = 1, gravity = 0 })
+  return list
+end, {
+  { 0.5, "a.vx ^ 2 + a.vy ^ 2 <= 200 ^ 2 + 1e-6" },
+  "b.vx = 0",
+}, {
+  "what, gravity, vx, vy",
+  { "at a floor that it touches", 0, 0, 296 },
+  { "the same under gravity", 1200, 0, 600 },
+  { "what a heavy one strikes", 1200, -900, 100 },
+})

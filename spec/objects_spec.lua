@@ -254,22 +254,20 @@ describe("add, remove and refresh", function()
 end)
 
 -- Of each tile 2.5 kB stayed when it was gone.
-describe("remove: what is gone", function()
-  it("leaves its columns to what comes later", function()
-    local world, tiles = physics.newWorld(), {}
-    local function fillAndEmpty()
-      for i = 1, 500 do
-        tiles[i] = { x = 16 * i, y = 0, width = 16, height = 16, static = true }
-        world:add("tiles", tiles[i])
-      end
-      world:update(1 / 60)
-      for i = 1, 500 do
-        world:remove(tiles[i])
-        tiles[i] = nil
-      end
-      run(world, 2)
+it("remove: what is gone leaves its columns to what comes later", function()
+  local world, tiles = physics.newWorld(), {}
+  local function fillAndEmpty()
+    for i = 1, 500 do
+      tiles[i] = { x = 16 * i, y = 0, width = 16, height = 16, static = true }
+      world:add("tiles", tiles[i])
     end
-    local kept = garbage.kept(fillAndEmpty, 2, 6) / (6 * 500)
-    assert.is_true(kept <= 10, ("%.0f bytes of each are left"):format(kept))
-  end)
+    world:update(1 / 60)
+    for i = 1, 500 do
+      world:remove(tiles[i])
+      tiles[i] = nil
+    end
+    run(world, 2)
+  end
+  local kept = garbage.kept(fillAndEmpty, 2, 6) / (6 * 500)
+  assert.is_true(kept <= 10, ("%.0f bytes of each are left"):format(kept))
 end)

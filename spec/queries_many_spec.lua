@@ -32,28 +32,27 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
     assert.are.equal(object, (world:nearest(x + 5, 15, 6)))
   end
 
-  for kind, fields in pairs({ dynamic = {}, kinematic = { kinematic = true } }) do
-    it("see what the game wrote, before and after an update: " .. kind, function()
-      local world = build()
-      local object = world:add("a", sized(0, 0, 10, 10, fields))
-      for step = 1, 4 do
-        local x = 100 * step
-        object.x = x
-        expect(world, object, x)
-        object.x = x + 3 -- a question was asked before
-        expect(world, object, x + 3)
-        assert.is_nil(world:queryPoint(x + 2, 5)[1])
-        object.width = 3
-        assert.is_nil(world:queryPoint(x + 12, 5)[1])
-        object.width, object.active = 10, false
-        expect(world, nil, x + 3)
-        object.active = true
-        if step > 2 then
-          world:update(1 / 60)
-        end
+  local kinds = { dynamic = {}, kinematic = { kinematic = true } }
+  small.each("see what the game wrote, before and after an update: {1}", kinds, function(_, fields)
+    local world = build()
+    local object = world:add("a", sized(0, 0, 10, 10, fields))
+    for step = 1, 4 do
+      local x = 100 * step
+      object.x = x
+      expect(world, object, x)
+      object.x = x + 3 -- a question was asked before
+      expect(world, object, x + 3)
+      assert.is_nil(world:queryPoint(x + 2, 5)[1])
+      object.width = 3
+      assert.is_nil(world:queryPoint(x + 12, 5)[1])
+      object.width, object.active = 10, false
+      expect(world, nil, x + 3)
+      object.active = true
+      if step > 2 then
+        world:update(1 / 60)
       end
-    end)
-  end
+    end
+  end)
 
   it("see a static object where the library has read it", function()
     local world = build()

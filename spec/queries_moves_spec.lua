@@ -301,26 +301,24 @@ describe("world:move", function()
 end)
 
 -- (Wrong numbers and tables are in debugging_bad_input_spec.)
-describe("move, impulse and setBounds refuse", function()
-  local function no()
-    return "no"
-  end
+local function no()
+  return "no"
+end
 
-  small.rows("{3}", {
-    { "move", { "me", 0, 0, "glide" }, 'response must be "slide", "touch", "cross" or "bounce"' },
-    { "move", { "me", 50, 0, no }, "what response(object, other) returns must be" },
-    { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
-    { "move", { {}, 0, 0 }, "world:move(object, x, y): the object is not in the world" },
-    { "impulse", { "wall", 0, 0 }, "object must be dynamic" },
-    { "setBounds", { 0, 0, 0, 5 }, "world:setBounds(x, y, w, h): w must be a number > 0, got 0" },
-  }, function(method, args, words)
-    local world = still()
-    local objects = { me = world:add("me", box(0, 0, 10, 10)) }
-    objects.wall = world:add("walls", box(30, 0, 10, 10, { static = true }))
-    local given = args
-    local first = objects[given[1]] or given[1]
-    small.refuses(words, world[method], world, first, given[2], given[3], given[4])
-    assert.are.same({ 0, 0 }, { objects.me.x, objects.me.y })
-    assert.is_nil(world.objects.bounds)
-  end)
+small.rows("move, impulse and setBounds refuse {3}", {
+  { "move", { "me", 0, 0, "glide" }, 'response must be "slide", "touch", "cross" or "bounce"' },
+  { "move", { "me", 50, 0, no }, "what response(object, other) returns must be" },
+  { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
+  { "move", { {}, 0, 0 }, "world:move(object, x, y): the object is not in the world" },
+  { "impulse", { "wall", 0, 0 }, "object must be dynamic" },
+  { "setBounds", { 0, 0, 0, 5 }, "world:setBounds(x, y, w, h): w must be a number > 0, got 0" },
+}, function(method, args, words)
+  local world = still()
+  local objects = { me = world:add("me", box(0, 0, 10, 10)) }
+  objects.wall = world:add("walls", box(30, 0, 10, 10, { static = true }))
+  local given = args
+  local first = objects[given[1]] or given[1]
+  small.refuses(words, world[method], world, first, given[2], given[3], given[4])
+  assert.are.same({ 0, 0 }, { objects.me.x, objects.me.y })
+  assert.is_nil(world.objects.bounds)
 end)

@@ -111,39 +111,37 @@ describe("raycast", function()
 end)
 
 -- A ledge of 100 x 10 px at (0, 0), round ones, a slope; lines that meet them.
-describe("raycast: oneWay", function()
-  local ROUND, SLOPE = { radius = 50, height = 100 }, { slope = "left", height = 100 }
-  small.rows("stops a line only where it stops a body: {1}", {
-    { "top", { 50, -50, 50, 50 }, 0 },
-    { "top", { 50, 50, 50, -50 } },
-    { "top", { -50, 5, 50, 5 } },
-    { "top", { 50, 5, 50, -50 } }, -- from inside
-    { "top", { 20, -50, 50, 50 }, 0 },
-    { true, { 50, -50, 50, 50 }, 0 },
-    { "bottom", { 50, 50, 50, -50 }, 10 },
-    { "bottom", { 50, -50, 50, 50 } },
-    { "left", { -50, 5, 50, 5 }, 5 },
-    { "left", { 150, 5, 50, 5 } },
-    { "right", { 150, 5, 50, 5 }, 5 },
-    { "top", { 50, -50, 50, 50 }, 0, ROUND },
-    { "top", { 50, 150, 50, -50 }, nil, ROUND },
-    { "top", { -50, 40, 50, 40 }, nil, ROUND },
-    { "top", { 50, 0, 50, 99 }, 50, SLOPE },
-    { "top", { 50, 150, 50, 50 }, nil, SLOPE },
-    { "top", { 50, 50, 50, -50 }, nil, { sensor = false } },
-    { "top", { 50, 50, 50, -50 }, 10, { sensor = true } }, -- that has no solid side
-  }, function(side, line, at, fields)
-    for _, isNew in ipairs({ true, false }) do
-      local l, world = line, still()
-      local ledge = tile(0, 0, 100, 10, fields)
-      ledge.oneWay = side
-      world:add("ledges", ledge)
-      world:update(isNew and 0 or 1 / 60)
-      local hit, _, y = world:raycast(l[1], l[2], l[3], l[4])
-      assert.same({ at and ledge or nil, at }, { hit, hit and y or nil })
-      assert.equal(hit and 1 or 0, (select(2, world:querySegment(l[1], l[2], l[3], l[4]))))
-    end
-  end)
+local ROUND, SLOPE = { radius = 50, height = 100 }, { slope = "left", height = 100 }
+small.rows("raycast: oneWay stops a line only where it stops a body: {1}", {
+  { "top", { 50, -50, 50, 50 }, 0 },
+  { "top", { 50, 50, 50, -50 } },
+  { "top", { -50, 5, 50, 5 } },
+  { "top", { 50, 5, 50, -50 } }, -- from inside
+  { "top", { 20, -50, 50, 50 }, 0 },
+  { true, { 50, -50, 50, 50 }, 0 },
+  { "bottom", { 50, 50, 50, -50 }, 10 },
+  { "bottom", { 50, -50, 50, 50 } },
+  { "left", { -50, 5, 50, 5 }, 5 },
+  { "left", { 150, 5, 50, 5 } },
+  { "right", { 150, 5, 50, 5 }, 5 },
+  { "top", { 50, -50, 50, 50 }, 0, ROUND },
+  { "top", { 50, 150, 50, -50 }, nil, ROUND },
+  { "top", { -50, 40, 50, 40 }, nil, ROUND },
+  { "top", { 50, 0, 50, 99 }, 50, SLOPE },
+  { "top", { 50, 150, 50, 50 }, nil, SLOPE },
+  { "top", { 50, 50, 50, -50 }, nil, { sensor = false } },
+  { "top", { 50, 50, 50, -50 }, 10, { sensor = true } }, -- that has no solid side
+}, function(side, line, at, fields)
+  for _, isNew in ipairs({ true, false }) do
+    local l, world = line, still()
+    local ledge = tile(0, 0, 100, 10, fields)
+    ledge.oneWay = side
+    world:add("ledges", ledge)
+    world:update(isNew and 0 or 1 / 60)
+    local hit, _, y = world:raycast(l[1], l[2], l[3], l[4])
+    assert.same({ at and ledge or nil, at }, { hit, hit and y or nil })
+    assert.equal(hit and 1 or 0, (select(2, world:querySegment(l[1], l[2], l[3], l[4]))))
+  end
 end)
 
 --   +---+ .

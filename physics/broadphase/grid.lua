@@ -76,7 +76,7 @@ function grid.new(b, cellSize, comparesAll)
     count = 0,
     heads = {}, -- by bucket, from 1 on: the first slot in it
     -- by slot
-    placeOf = {}, -- place in the list
+    placeOf = {}, -- place in the list, nil: it is not in the grid
     key = {}, -- of the cell
     next = {}, -- in the bucket
     previous = {},
@@ -190,6 +190,7 @@ function grid:remove(i)
   local at, last = self.placeOf[i], self.list[self.count]
   self.list[at] = last
   self.placeOf[last] = at
+  self.placeOf[i] = nil
   self.count = self.count - 1
 end
 

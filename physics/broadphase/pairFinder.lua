@@ -21,7 +21,7 @@ local pairFinder = {}
 
 local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
 local contact = grid.contact
-local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 
 -- Margin around a path, px, and around a static object, which does not move.
 local MARGIN = 1
@@ -29,6 +29,8 @@ local MARGIN = 1
 -- Few objects leave it in that time. An object with `hits` meets few others, and may reach further.
 local AHEAD, FARTHEST, FARTHEST_AIMED = 10.0, 8.0, 64.0
 
+-- Value of `placed` of the first stray is one more than this (below 0 for all).
+local STRAYS = -2 ^ 30
 -- Value of `place` of a pair that is listed to be unlinked.
 local LEAVING = 2
 
@@ -76,15 +78,14 @@ end
 -- Lists in b.linkOne and b.linkOther the found pairs that can meet and are no neighbours yet, each
 -- once: of two strays, the earlier one counts. Returns how many there are.
 local function listNew(b, count)
-  local askers, found, mark, strayAt, crowd =
-    b.broadphase.askers, b.found, b.mark, b.strayAt, b.crowd
+  local askers, found, mark, placed, crowd = b.broadphase.askers, b.found, b.mark, b.placed, b.crowd
   local ones, others, asker, stamp, at, n = b.linkOne, b.linkOther, 0, 0, 0, 0
   for m = 1, count do
     local i, j = askers[m], found[m]
     if i ~= asker then
-      asker, stamp, at = i, markNeighbours(b, i), strayAt[i]
+      asker, stamp, at = i, markNeighbours(b, i), placed[i]
     end
-    local isNew = mark[j] ~= stamp and strayAt[j] > at
+    local isNew = mark[j] ~= stamp and placed[j] > at
     local isCrowd = max(i, j) <= b.lastBody and min(crowd[2 * i], crowd[2 * j]) > 0
     if isNew and not isCrowd and not filter.reason(b, i, j) then
       n = n + 1
@@ -112,10 +113,10 @@ end
 -- Links the bodies in strays[1..count] with all bodies that their fat boxes meet and that they can
 -- meet at all. They are no strays any more.
 local function linkNear(b, strays, count)
-  local strayAt = b.strayAt
+  local placed = b.placed
   local n = listNew(b, b.broadphase:overlaps(strays, count, b.found))
   for m = 1, count do
-    strayAt[strays[m]] = huge
+    placed[strays[m]] = 2
   end
   if n > 0 then
     links.linkAll(b, n)
@@ -134,19 +135,18 @@ end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, margin)
-  local broadphase, placed, hitsOnly, turn = b.broadphase, b.placed, b.hitsOnly, b.stamp % 97
+  local broadphase, hitsOnly, turn = b.broadphase, b.hitsOnly, b.stamp % 97
   for m = 1, count do
     local i = strays[m]
     local farthest = hitsOnly[i] and FARTHEST_AIMED or FARTHEST
     local steps = AHEAD * (0.6 + i * turn % 97 / 120) -- so that not all leave them at once
     fatten(b, 2 * i, farthest, margin, steps)
     fatten(b, 2 * i + 1, farthest, margin, steps)
-    if placed[i] == 0 then
-      broadphase:insert(i)
-    else
+    if broadphase.placeOf[i] then
       broadphase:update(i)
+    else
+      broadphase:insert(i)
     end
-    placed[i] = 2
   end
 end
 
@@ -154,18 +154,18 @@ end
 -- strays are static; then all bodies that can move are asked instead. Puts these into `strays`, and
 -- returns how many they are.
 local function askMovers(b, strays, count)
-  local placed, strayAt, movers, n = b.placed, b.strayAt, b.movers, 0
+  local placed, movers, n = b.placed, b.movers, 0
   if count <= b.moverCount then
     return count
   end
   for m = 1, count do
-    strayAt[strays[m]] = huge
+    placed[strays[m]] = 2
   end
   for m = 1, b.moverCount do
     local i = movers[m]
     if placed[i] ~= 0 then
       n = n + 1
-      strays[n], strayAt[i] = i, n
+      strays[n], placed[i] = i, STRAYS + n
     end
   end
   return n
@@ -183,7 +183,7 @@ end
 --- A body that is listed twice is looked at once, a body that has left the world not at all.
 --- `reach`: all pairs of paths that come as near as that are to be known, px, default 0.
 function pairFinder.run(b, list, count, reach)
-  local strays, strayAt, active, placed, n = b.stack, b.strayAt, b.active, b.placed, 0
+  local strays, active, placed, n = b.stack, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   local free = (reach or 0) * 0.5 -- px of its fat box that a path must leave free
   for at = 1, count do
@@ -195,9 +195,9 @@ function pairFinder.run(b, list, count, reach)
     -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
-    if (max(outX, outY) > -free or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+    if (max(outX, outY) > -free or placed[i] ~= 2) and active[i] and placed[i] >= 0 then
       n = n + 1
-      strays[n], strayAt[i] = i, n
+      strays[n], placed[i] = i, STRAYS + n
     end
   end
   if n > 0 then

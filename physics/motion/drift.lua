@@ -196,9 +196,9 @@ end
 -- Adds the velocity of each pair to both of its bodies.
 local function push(b, work, count)
   local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
-  local nowX, nowY, shareOne, shareOther = work.now[0], work.now[1], work.shareOne, work.shareOther
+  local nowX, nowY, one, other, rounding = work.now[0], work.now[1], work.one, work.other, ROUNDING
   for c = 1, count do
-    local m, n = work.one[c], work.other[c]
+    local m, n, shareOne, shareOther = one[c], other[c], work.shareOne[c], work.shareOther[c]
     local dx, dy = (x[n] - x[m]) / (halfX[m] + halfX[n]), (y[n] - y[m]) / (halfY[m] + halfY[n])
     local far = max(dx, -dx, dy, -dy)
     if far < NEAREST then
@@ -207,10 +207,10 @@ local function push(b, work, count)
     end
     local v = work.partSpeed[c] * max(1 / far - 1, 0.0)
     local vx, vy = v * dx, v * dy
-    nowX[m] = nowX[m] - (vx * shareOne[c] + ROUNDING - ROUNDING)
-    nowY[m] = nowY[m] - (vy * shareOne[c] + ROUNDING - ROUNDING)
-    nowX[n] = nowX[n] + (vx * shareOther[c] + ROUNDING - ROUNDING)
-    nowY[n] = nowY[n] + (vy * shareOther[c] + ROUNDING - ROUNDING)
+    nowX[m] = nowX[m] - (vx * shareOne + rounding - rounding)
+    nowY[m] = nowY[m] - (vy * shareOne + rounding - rounding)
+    nowX[n] = nowX[n] + (vx * shareOther + rounding - rounding)
+    nowY[n] = nowY[n] + (vy * shareOther + rounding - rounding)
   end
 end
 

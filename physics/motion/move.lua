@@ -17,7 +17,8 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local move = {}
 
-local KINEMATIC, DYNAMIC = constants.KINEMATIC, constants.DYNAMIC
+local KINEMATIC, DYNAMIC, FAR = constants.KINEMATIC, constants.DYNAMIC, constants.FAR
+local UNSWEPT = math.huge -- no path ends there
 
 -- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
 -- and further by its own velocity. If the update has several steps, the written way is spread over
@@ -29,23 +30,28 @@ local function moveKinematic(b, k, dt)
   b.writtenSpeed[k] = b.displacement[k] / dt
   v = v + b.writtenSpeed[k]
   b.start[k], b.onset[k], b.speed[k], b.freeSpeed[k], b.accel[k] = v, v, v, v, 0
+  b.held[2 * k + 1], b.held[2 * k + 2] = 1, 1
 end
 
 -- Computes the free flight of dynamic bodies, as if nothing carried them: how fast they are when
--- the step begins and when it ends, and where they end. (One pass, with both axes written out:
--- without a compiler that is half of the work for a body that meets nothing.)
+-- the step begins and when it ends, and where they end. Nothing holds them yet, and nothing was
+-- swept. (One pass, with both axes written out: without a compiler that is half of the work for a
+-- body that meets nothing.)
 local function fly(b, dt)
   local list, kind, isFree, air, brake = b.awakeList, b.kind, b.isFree, b.flowAir, b.flowDrag
   local velocity, pull, push, from, origin = b.velocity, b.flowPull, b.push, b.from, b.origin
   local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
   local to, displacement, accel, give, inverseMass =
     b.to, b.displacement, b.accel, b.give, b.inverseMass
+  local squeezed, held, swept = b.squeezed, b.held, b.swept
   for n = 1, b.awakeCount do
     local i = list[n]
     local k, m, inverse = 2 * i, 2 * i + 1, inverseMass[i]
-    local x, y = from[k], from[m]
-    origin[k], origin[m], give[k], give[m] = x, y, inverse, inverse
+    local x, y, side = from[k], from[m], 2 * k
+    origin[k], origin[m], give[k], give[m], swept[k] = x, y, inverse, inverse, UNSWEPT
     if kind[i] == DYNAMIC then
+      squeezed[k], squeezed[m], held[side + 1], held[side + 2] = 0, 0, 0, 0
+      held[side + 3], held[side + 4] = 0, 0
       local startX, startY = velocity[k], velocity[m]
       if isFree[i] and air[i] == 0 and brake[i] == 0 then
         -- (The usual case, without a call: `path.pullOf` is written out here, pull + push.)
@@ -88,7 +94,7 @@ local function ride(b, k, isBuried, isCrowd, dt)
   b.start[k], b.onset[k] = b.start[k] + carried, b.start[k] + carried
   path.add(b, k, carried * dt, carried)
   if isBuried then
-    b.give[k] = 0
+    b.give[k], b.held[2 * k + 1], b.held[2 * k + 2] = 0, FAR, FAR
     path.finish(b, k, b.from[k], 0.0, 0.0)
   elseif isCrowd and b.speed[k] * b.down[k] > 0 then
     b.displacement[k] = 0.0

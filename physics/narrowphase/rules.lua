@@ -2,7 +2,9 @@
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
 -- one-way objects, `dropThrough`, and the answer of the game (`canCollide`).
 --
--- The side in the field `oneWay` is solid, the others are open.
+-- The side in the field `oneWay` is solid, the others are open. That is decided in `lets`, and,
+-- where no pair is at hand, in `carrierAt` of motion/carriers.lua and `isClosed` of
+-- queries/query.lua. The side on which two meet slanted is that of `shapes.sideOf`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")

@@ -31,6 +31,10 @@
 -- `c.bodies.downAxis`, towards `c.bodies.orientation` of it. The filter may be a function of the
 -- game, which may ask queries itself: it is called by `publish`, `first` and `accepts` only.
 --
+-- A query of a line begins with `rays.begin`, which sets where the line is (`c.x`, `c.y`, `c.dx`,
+-- `c.dy`), and calls `near.line`. `lines.passage` says whether it meets a candidate, `lines.hit`
+-- where.
+--
 -- Reads the grid, and position, size and filter of static objects; writes fat boxes and the grid.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")

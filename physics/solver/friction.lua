@@ -32,10 +32,11 @@
 -- friction in four places: these two, and `bear` and `rubBoth` in impact.lua, for two bodies that
 -- meet inside the step. The limit of a contact is one number for the whole step.
 --
--- A field that changes the coefficient (as rolling friction of round bodies, `shapes.isRound`) is a
--- row of fields/fields.lua with `hint = "hasFriction"`, and one line in `friction.coefficient`: all
--- four places ask that. It must not depend on which of the two bodies comes first. Slanted contacts
--- (a ball on a slope, on a corner, on a ball) have no friction: see press.lua.
+-- A field that changes the coefficient (as rolling friction of round bodies, for which
+-- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
+-- `hint = "hasFriction"`, and one line in `friction.coefficient`: all four places ask that. It must
+-- not depend on which of the two bodies comes first. Slanted contacts (a ball on a slope, on a
+-- corner, on a ball) have no friction: see press.lua.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")

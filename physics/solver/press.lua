@@ -10,14 +10,18 @@
 --
 --       ( )          1. PASSES over the rows, from below to above, those of immovable bodies last.
 --      ( )( )           Rows are the planes, and the contacts along an axis of the same bodies.
---     ( )( )( )         A body goes no farther than FURTHEST in all (`limit`).
---   ##############   2. Immovable bodies have the last word: each body ends at the nearest place in
---                       front of all that stop it (`leaveWalls`), which passes reach slowly.
---                    3. The same with the speeds, for the rows that touch at the end: they must not
---                       close. The speed along the tangent is kept.
+--     ( )( )( )         Without gravity pushes are EAGER times as long, but in the last two passes,
+--   ##############      and a rest of LEFT slops may stay.
+--                    2. Immovable bodies come last: each body ends at the nearest place in front of
+--                       all that stop it (`leaveWalls`), which passes reach slowly. But a body goes
+--                       no farther than FURTHEST in all, on each axis (`limit`).
+--                    3. The same with the speeds, for the rows that touch at the end or have got
+--                       an impulse: they must not close. The speed along the tangent is kept.
 --                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
 --                       give way and no push is taken back, so that a heap does not sink. FURTHEST
 --                       does not apply, and which rows touch is not found anew.
+--                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
+--                       noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
@@ -330,8 +334,7 @@ local function forgetJams(b)
     local c = s.order[n]
     local i, j = s.one[c], s.other[c]
     local most = JAMMED * ball.smallest(b, i, j)
-    local isFast = s.isFlush[c] and -along(b.speed, i, j, s.nx[c], s.ny[c]) * b.dt > most
-    if isFast or depthOf(b, c) > most then
+    if depthOf(b, c) > most then
       s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
     end
   end
@@ -418,6 +421,7 @@ end
 --- whether there are planes.
 function press.finish(b)
   local s = b.slants
+  slant.findLate(b)
   if s.count == 0 then
     return false
   elseif press.isNeeded(b, true) then

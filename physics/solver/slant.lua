@@ -13,8 +13,9 @@
 -- Both shapes are convex. So bodies on their own sides of the plane cannot overlap, at any speed
 -- and wherever else they go. Pairs that bounce get no plane: they have impacts.
 --
--- Planes are found in three ways: of pairs that touch when the step begins (`takes`), that will
--- meet on their paths (`find`), and that meet in a round and do not bounce (`meet`).
+-- Planes are found in four ways: of pairs that touch when the step begins (`takes`), that will meet
+-- on their paths (`find`), that meet in a round and do not bounce (`meet`), and that end in each
+-- other all the same (`findLate`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
@@ -34,6 +35,7 @@ local slant = {}
 
 local APART, SLANTED = contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
+local gapIn = ball.gapIn
 local huge, max, min = math.huge, math.max, math.min
 -- Share of the smaller size: the depth from which two leave each other as boxes do.
 local LOST = ball.LOST
@@ -171,11 +173,10 @@ function slant.takes(b, p)
   if not mayPress(b, i, j) then
     return false
   end
-  local gap, nx, ny = ball.gapIn(b, b.from, i, j)
+  local gap, nx, ny = gapIn(b, b.from, i, j)
   local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
-  if gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
-    return false
-  elseif gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u) then
+  local bounces = gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u)
+  if bounces or gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
     return false
   elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
@@ -183,6 +184,9 @@ function slant.takes(b, p)
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
   put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
   b.slants.speed[c] = u
+  if b.give[2 * i] == 0 or b.give[2 * j] == 0 then
+    b.slants.leansAt[i], b.slants.leansAt[j] = b.solveStamp, b.solveStamp
+  end
   return true
 end
 
@@ -203,7 +207,7 @@ local function meeting(b, i, j)
   if share then
     return not isDeep and share or nil, nx, ny, -share * (dx * nx + dy * ny)
   end
-  local gap, normalX, normalY = ball.gapIn(b, from, i, j)
+  local gap, normalX, normalY = gapIn(b, from, i, j)
   local isIn = gap < -EPSILON or gap > near or distance > SLOW * smallest
   local areLoose = b.give[k] > 0 and b.give[m] > 0
   return areLoose and not isIn and 1.0 or nil, normalX, normalY, max(gap, 0.0)
@@ -226,17 +230,6 @@ local function findPair(b, p)
   return putFirst(b, p, nx, ny, least, time, max(u, 0.0))
 end
 
--- Marks the bodies that something immovable touches slanted where the step begins.
-local function markLeaning(b)
-  local s, give = b.slants, b.give
-  for c = 1, s.count do
-    local i, j = s.one[c], s.other[c]
-    if give[2 * i] == 0 or give[2 * j] == 0 then
-      s.leansAt[i], s.leansAt[j] = b.solveStamp, b.solveStamp
-    end
-  end
-end
-
 --- Makes planes of the pairs that are apart where the step begins and will meet slanted. Returns
 --- whether there are new ones. `isFirst`: bodies that lean on something slanted are left for the
 --- next time, since that turns them first.
@@ -244,18 +237,13 @@ function slant.find(b, isFirst)
   pairFinder.run(b, b.awakeList, b.awakeCount, pairFinder.REACH)
   local live, touches, pairA, pairB, hasNew = b.live, b.touches, b.pairA, b.pairB, false
   local s, stamp, leansAt = b.slants, b.solveStamp, b.slants.leansAt
-  if isFirst then
-    markLeaning(b)
-  end
   s.stamp = s.stamp + 1
   for n = 1, b.liveCount do
     local p = live[n]
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
     local isOpen = touches[p] == APART and not (waits or b.hasOverlaps and crowd.isGhost(b, i, j))
-    if isOpen and mayPress(b, i, j) and findPair(b, p) then
-      hasNew = true
-    end
+    hasNew = isOpen and mayPress(b, i, j) and findPair(b, p) or hasNew
   end
   return hasNew
 end
@@ -269,12 +257,25 @@ function slant.meet(b, p, t)
     return false
   end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  local isLost = gap < -LOST * ball.smallest(b, i, j) and ball.gapIn(b, b.origin, i, j) < -EPSILON
+  local isLost = gap < -LOST * ball.smallest(b, i, j) and gapIn(b, b.origin, i, j) < -EPSILON
   if isLost or nx == 0 or ny == 0 then
     return false
   end
   put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
   return true
+end
+
+--- Makes planes of the pairs that were apart when the step began and end in each other: one of the
+--- two had an impact, and others have changed the path of the other one before that.
+function slant.findLate(b)
+  for n = 1, b.liveCount do
+    local p = b.live[n]
+    local i, j = slotsOf(b, p)
+    local isIn = b.touches[p] == APART and mayPress(b, i, j) and gapIn(b, b.to, i, j) < -EPSILON
+    if isIn and gapIn(b, b.origin, i, j) >= -EPSILON and heap.mayPush(b, p, i, j) then
+      slant.meet(b, p, 1)
+    end
+  end
 end
 
 -- Returns whether slot i ends where it began.

@@ -65,16 +65,6 @@ function solver.adopt(b)
   b.slants = { count = 0 }
 end
 
--- Lists all awake bodies as changed: their paths are new.
-local function begin(b)
-  local list, changed, dirty, impactsOf = b.awakeList, b.changed, b.dirty, b.impactsOf
-  b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    changed[n], dirty[i], impactsOf[i] = i, b.dirtyStamp, 0
-  end
-end
-
 -- Settles the bodies that touch at the start of the step: first along gravity, then across it, each
 -- followed by its friction. (`friction.run` settles the axis that it rubs along.)
 local function settleTouching(b, dt)
@@ -117,9 +107,10 @@ local function settleLate(b, dt, isFirst)
 end
 
 -- Solves the slanted contacts of round bodies, and settles the bodies again that were pushed there.
--- `isFirst`: nothing was swept yet, so that pairs may be added.
+-- `isFirst`: nothing was swept yet, so that pairs may be added. (Without gravity they are solved
+-- once more where walls have moved bodies back. Under gravity heaps would rest later.)
 local function pressRound(b, dt, isFirst)
-  for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
+  for n = 1, b.hasRound and (isFirst and PRESSES or b.isWeightless and 2 or 1) or 0 do
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
@@ -135,8 +126,8 @@ end
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
   b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
-  b.blockedCount = 0
-  begin(b)
+  b.blockedCount, b.changedCount, b.dirtyStamp = 0, 0, b.dirtyStamp + 1
+  b.contacts[0].isFresh, b.contacts[1].isFresh = true, true
   flow.begin(b)
   pairFinder.listLive(b)
   if b.walks then

@@ -40,6 +40,7 @@ local function newList()
     count = 0,
     stamp = 0,
     impact = {}, -- its number in the list of the round
+    joined = {}, -- by that number: the stamp with which it was listed
     nx = {}, -- unit normal to the low body
     ny = {},
     lowX = {}, -- by how much an impulse of 1 changes the velocity of each, px/s
@@ -71,7 +72,7 @@ end
 -- Adds impact n to the list, and marks its bodies.
 local function join(b, list, n)
   list.count = list.count + 1
-  list.impact[list.count] = n
+  list.impact[list.count], list.joined[n] = n, list.stamp
   list.at[b.impacts.low[n]], list.at[b.impacts.high[n]] = list.stamp, list.stamp
 end
 
@@ -79,17 +80,18 @@ end
 -- it: a body that can move takes part in both, or in others between them.
 local function gather(b, list, n)
   local impacts, at, stamp = b.impacts, list.at, list.stamp + 1
-  local order, moment = impacts.order, impacts.moment
+  local order, moment, m = impacts.order, impacts.moment, n + 1
   list.count, list.stamp = 0, stamp
   join(b, list, order[n])
-  local m = n + 1
   while m <= impacts.count and moment[order[m]] == moment[order[n]] do
-    local i, j = impacts.low[order[m]], impacts.high[order[m]]
+    local c = order[m]
+    local i, j = impacts.low[c], impacts.high[c]
     local isLinked = at[i] == stamp and b.give[2 * i] > 0 or at[j] == stamp and b.give[2 * j] > 0
-    if isLinked and mayJoin(b, order[m]) then
-      join(b, list, order[m])
-    end
     m = m + 1
+    if isLinked and list.joined[c] ~= stamp and mayJoin(b, c) then
+      join(b, list, c)
+      m = n + 1 -- it may link those that were passed by
+    end
   end
 end
 

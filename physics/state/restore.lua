@@ -141,7 +141,12 @@ end
 local function writeField(st, objects, row, odd)
   local name, list, numbers, at = row.name, st.fields[row.name] or NONE, odd or NONE, 1
   local due = list[1] -- the number of the next object that has the field
-  for m = 1, odd and #odd or st.count do
+  for m = 1, odd and not due and #odd or 0 do -- (the usual case)
+    if objects[odd[m]][name] ~= nil then
+      objects[odd[m]][name] = nil
+    end
+  end
+  for m = 1, odd and (due and #odd or 0) or st.count do
     local n, value = numbers[m] or m, nil
     if n == due then
       value, at = list[at + 1], at + 2
@@ -307,12 +312,10 @@ local function restoreContacts(b, st, objects)
     local one, other = objects[list[at]], objects[list[at + 1]]
     local p = links.pairOf(b, slotOf[one], slotOf[other])
       or links.link(b, slotOf[one], slotOf[other])
+    local isSwapped = b.pairA[p] ~= slotOf[one]
     for c = 1, #PAIRS do
       local value = list[at + 1 + c]
-      if b.pairA[p] ~= slotOf[one] and value ~= PAIRS[c][2] then
-        value = PAIRS[c][3][value]
-      end
-      b[PAIRS[c][1]][p] = value
+      b[PAIRS[c][1]][p] = isSwapped and PAIRS[c][3][value] or value
     end
     b.contactCount = b.contactCount + min(b.contact[p], 1)
   end

@@ -4,7 +4,6 @@
 ---            stated parting explain (spec/support/motion.lua)
 ---   past     no middle goes into or past an immovable object
 ---   rest     two seconds after the last act of a crowded game nothing moves by more than ROUNDING
----   time     no step takes longer than LONGEST, in processor time
 
 local crowded = require("spec.fuzz.crowded")
 local motion = require("spec.support.motion")
@@ -22,11 +21,7 @@ local abs = math.abs
 local ROUNDING = 1e-12
 
 --- The names of all checks.
-bounds.NAMES = { "motion", "past", "rest", "time" }
-
---- s of processor time, of one step of some dozens of objects without the trace compiler: the
---- promise is 0.04 for 300 objects; the rest is for the garbage collector and a busy machine.
-bounds.LONGEST = 0.1
+bounds.NAMES = { "motion", "past", "rest" }
 
 local Bounds = {}
 Bounds.__index = Bounds
@@ -48,12 +43,6 @@ function Bounds:before(objects)
   self.watch.objects = objects
   self.watch:before()
   self.saved = self.player.world._saved
-  self.started = os.clock()
-end
-
---- To be called when an update is over, before anything else: how long it took counts.
-function Bounds:stop()
-  self.taken = os.clock() - self.started
 end
 
 -- Objects upon which a callback acted, or which have left, are not where the step has put them.
@@ -119,13 +108,6 @@ function Bounds:checkRest(dt)
   end
 end
 
-function Bounds:checkTime(steps)
-  if self.taken > bounds.LONGEST * steps then
-    local text = "an update of %d steps took %.3g s, with %d objects"
-    return "time", text:format(steps, self.taken, #self.objects), self.taken
-  end
-end
-
 --- To be called after an update of dt seconds that has made a step.
 ---@param groupOf table object -> its group, of those that are in the world now
 ---@return string? name of the check that failed
@@ -137,10 +119,7 @@ function Bounds:after(dt, groupOf)
     isAll = isAll and self:isOwn(object, groupOf)
   end
   local name, text
-  if self.chosen.time then
-    name, text = self:checkTime(steps)
-  end
-  if not name and isAll then
+  if isAll then
     name, text = self:checkMotion(seconds, steps)
   end
   if not name and isAll and self.chosen.past and not next(self.player.refusals) then

@@ -562,13 +562,6 @@ function Watch:before()
   end
 end
 
---- To be called when an update is over, before `after`, if its time counts.
-function Watch:stop()
-  if self.bounds then
-    self.bounds:stop()
-  end
-end
-
 --- Notes that from now on nothing drives the game (spec/fuzz/crowded.lua).
 function Watch:calm(act)
   if self.bounds then

@@ -99,7 +99,6 @@ function Trial:update(act)
   self.steps = self.steps + 1
   self.watch:before()
   self.tried:act(act)
-  self.watch:stop()
   local name, text = self.watch:after(dt)
   if name then
     return name, text

@@ -19,40 +19,38 @@ describe("a random game has found that", function()
   end
 end)
 
-describe("a review has found that", function()
-  -- Three inside each other, each in front of the next. Each push moves one by the width of the
-  -- others, 23 px in a round, until it is known which one holds which, after eight impacts. Before,
-  -- it went on up to the limit of impacts: 736 px in a step.
-  it("bodies that hold each other in a ring do not push each other on and on", function()
-    local world = physics.newWorld({ gravityX = 300, gravity = 0 })
-    local boxes = {}
-    for n, box in ipairs({
-      { 60, 160, 10, 10 },
-      { 42.15662814777, 160, 8, 10 },
-      { 90, 160, 10, 10 },
-      { 120, 162.57129250214, 8, 3 },
-      { 60, 164.68315135906, 3, 10 },
-      { 196.7268311217, 170, 8, 8 },
-      { 170, 170, 10, 10 },
-      { 180, 170, 10, 3 },
-    }) do
-      boxes[n] = { x = box[1], y = box[2], width = box[3], height = box[4] }
-      world:add(n <= 3 and "a" or "b", boxes[n])
+-- Three inside each other, each in front of the next. Each push moves one by the width of the
+-- others, 23 px in a round, until it is known which one holds which, after eight impacts. Before,
+-- it went on up to the limit of impacts: 736 px in a step.
+it("a review has found that bodies that hold each other in a ring lie still", function()
+  local world = physics.newWorld({ gravityX = 300, gravity = 0 })
+  local boxes = {}
+  for n, box in ipairs({
+    { 60, 160, 10, 10 },
+    { 42.15662814777, 160, 8, 10 },
+    { 90, 160, 10, 10 },
+    { 120, 162.57129250214, 8, 3 },
+    { 60, 164.68315135906, 3, 10 },
+    { 196.7268311217, 170, 8, 8 },
+    { 170, 170, 10, 10 },
+    { 180, 170, 10, 3 },
+  }) do
+    boxes[n] = { x = box[1], y = box[2], width = box[3], height = box[4] }
+    world:add(n <= 3 and "a" or "b", boxes[n])
+  end
+  world:add("walls", { x = 200, y = -100, width = 10, height = 310, static = true })
+  local lift = { x = 0, y = 130, width = 30, height = 30, kinematic = true, vx = 600, vy = 100 }
+  world:add("lifts", lift)
+  world:update(1 / 60)
+  for step = 2, 60 do
+    local before = {}
+    for n, box in ipairs(boxes) do
+      before[n] = box.x
     end
-    world:add("walls", { x = 200, y = -100, width = 10, height = 310, static = true })
-    local lift = { x = 0, y = 130, width = 30, height = 30, kinematic = true, vx = 600, vy = 100 }
-    world:add("lifts", lift)
     world:update(1 / 60)
-    for step = 2, 60 do
-      local before = {}
-      for n, box in ipairs(boxes) do
-        before[n] = box.x
-      end
-      world:update(1 / 60)
-      for n, box in ipairs(boxes) do
-        local way = math.abs(box.x - before[n])
-        assert.is_true(way < 9 * 23, ("step %d: box %d went %g px"):format(step, n, way))
-      end
+    for n, box in ipairs(boxes) do
+      local way = math.abs(box.x - before[n])
+      assert.is_true(way < 9 * 23, ("step %d: box %d went %g px"):format(step, n, way))
     end
-  end)
+  end
 end)

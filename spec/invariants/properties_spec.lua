@@ -21,22 +21,20 @@ local function trackOf(seed, settings)
   return one.told
 end
 
-describe("broadphase, rest and order: the same game goes the same way, to the bit,", function()
-  local tracks = {}
-  small.rows("{1}", {
-    { "in the grid", { broadphase = "grid" } },
-    { "in the automatic broad phase", {} },
-    { "in the grid, nothing skipped", { broadphase = "grid", rest = false } },
-    { "in cells of 8 px", { broadphase = "grid", cellSize = 8 } },
-    { "in cells of 37.5 px", { broadphase = "grid", cellSize = 37.5 } },
-    { "in cells of 1000 px", { broadphase = "grid", cellSize = 1000 } },
-    { "where others have been before", { guests = true } },
-  }, function(_, settings)
-    for seed = 1, effort.share(30, 6) do
-      tracks[seed] = tracks[seed] or trackOf(seed, { broadphase = "pairs", rest = false })
-      assert.same(tracks[seed], trackOf(seed, settings), "seed " .. seed)
-    end
-  end)
+local tracks = {}
+small.rows("broadphase, rest and order: the same game goes the same way, to the bit, {1}", {
+  { "in the grid", { broadphase = "grid" } },
+  { "in the automatic broad phase", {} },
+  { "in the grid, nothing skipped", { broadphase = "grid", rest = false } },
+  { "in cells of 8 px", { broadphase = "grid", cellSize = 8 } },
+  { "in cells of 37.5 px", { broadphase = "grid", cellSize = 37.5 } },
+  { "in cells of 1000 px", { broadphase = "grid", cellSize = 1000 } },
+  { "where others have been before", { guests = true } },
+}, function(_, settings)
+  for seed = 1, effort.share(30, 6) do
+    tracks[seed] = tracks[seed] or trackOf(seed, { broadphase = "pairs", rest = false })
+    assert.same(tracks[seed], trackOf(seed, settings), "seed " .. seed)
+  end
 end)
 
 it("width: denormal ones tell thin boxes at the same place apart", function()

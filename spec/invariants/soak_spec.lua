@@ -10,23 +10,21 @@ local small = require("spec.support.small")
 
 local long = effort.isFirst and it or pending
 
-describe("world:update: a busy scene", function()
-  long("loses no object and keeps its memory", function()
-    local world, length = busy.new(), effort.isWhole and 4000 or 500
-    local n = 0
-    local function play()
-      for _ = 1, length do
-        n = n + 1
-        busy.step(world, n)
-      end
-      assert.is_nil(busy.complaint(world))
-      return busy.memory()
+long("world:update: a busy scene loses no object and keeps its memory", function()
+  local world, length = busy.new(), effort.isWhole and 4000 or 500
+  local n = 0
+  local function play()
+    for _ = 1, length do
+      n = n + 1
+      busy.step(world, n)
     end
-    play()
-    local before = play()
-    local after = play()
-    assert.is_true(after < before * 1.05, ("%.0f kB became %.0f kB"):format(before, after))
-  end)
+    assert.is_nil(busy.complaint(world))
+    return busy.memory()
+  end
+  play()
+  local before = play()
+  local after = play()
+  assert.is_true(after < before * 1.05, ("%.0f kB became %.0f kB"):format(before, after))
 end)
 
 small.rows("y and vy: falling leaves nothing, {1} #slow", { "grid", "pairs" }, function(broadphase)

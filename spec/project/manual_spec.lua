@@ -92,12 +92,10 @@ describe("the reference", function()
   end)
 end)
 
-describe("physics/types.lua", function()
-  local text = read("physics/types.lua")
+local text = read("physics/types.lua")
 
-  it("is what scripts/types.lua writes", function()
-    assertSame(types.text(), text)
-  end)
+it("physics/types.lua is what scripts/types.lua writes", function()
+  assertSame(types.text(), text)
 end)
 
 describe("the docstring", function()

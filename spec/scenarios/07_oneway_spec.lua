@@ -24,32 +24,30 @@ local body = scene.thing("players", { name = "body", x = 50, y = 200, width = 16
 --   +-+
 --   +-+
 --   ---------------  300
-describe("oneWay: jumped through from below", function()
-  local function below(v)
-    return { way(), tile(), body({ y = v.feet - 24 }) }
-  end
-  row("(7) from {feet}, feet up to {peak}, ends at feet {ends}", EVERYWHERE, below, {
-    { steps = 1 },
-    { "body.y, body.vy = feet - 24, -sqrt(1600 * (feet - peak))", "listen body" },
-    "up, hits = -body.vy, -body.vy / 800 + sqrt((ends - peak) / 400)",
-    {
-      2,
-      "body at 50, t < hits and feet - 24 - up * t + 400 * t * t or ends - 24",
-      "0 == t < hits - 1e-6 and heard.body.begins or 0",
-      "0 ~ t < hits - 1e-6 and body.vy - 800 * t + up or 0",
-    },
-    { "body on ends == 100 and way or floor", "heard.body.begins == 1" },
-  }, {
-    "feet, peak, ends", -- highest feet, feet at the end
-    { 224, 60, 100 },
-    { 300, 60, 100 },
-    { 224, 99, 100 },
-    { 300, 90, 100 },
-    { 224, 104, 300 },
-    { 300, 108.5, 300 },
-    { 224, 112, 300 },
-  })
-end)
+local function below(v)
+  return { way(), tile(), body({ y = v.feet - 24 }) }
+end
+row("oneWay: (7) jumped through from {feet}, up to {peak}, feet end at {ends}", EVERYWHERE, below, {
+  { steps = 1 },
+  { "body.y, body.vy = feet - 24, -sqrt(1600 * (feet - peak))", "listen body" },
+  "up, hits = -body.vy, -body.vy / 800 + sqrt((ends - peak) / 400)",
+  {
+    2,
+    "body at 50, t < hits and feet - 24 - up * t + 400 * t * t or ends - 24",
+    "0 == t < hits - 1e-6 and heard.body.begins or 0",
+    "0 ~ t < hits - 1e-6 and body.vy - 800 * t + up or 0",
+  },
+  { "body on ends == 100 and way or floor", "heard.body.begins == 1" },
+}, {
+  "feet, peak, ends", -- highest feet, feet at the end
+  { 224, 60, 100 },
+  { 300, 60, 100 },
+  { 224, 99, 100 },
+  { 300, 90, 100 },
+  { 224, 104, 300 },
+  { 300, 108.5, 300 },
+  { 224, 112, 300 },
+})
 
 describe("oneWay: fallen on", function()
   local function above(v)
@@ -254,20 +252,18 @@ describe("oneWay: beside a solid", function()
   })
 end)
 
-describe("oneWay: with a box on the head", function()
-  local function loaded(v)
-    return {
-      way(),
-      body({ y = 76 }),
-      body({ name = "heavy", x = 55, y = -100, vy = v.vy, mass = v.mass }),
-    }
-  end
-  row("(7) of mass {mass} that comes at {vy} px/s still holds", EVERYWHERE, loaded, {
-    "listen body",
-    { 1, "body at 50, 76" },
-    { "body on way", "heavy at 55, 52", "heavy on body", "body heard 2, 0" },
-  }, { "mass, vy", { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } })
-end)
+local function loaded(v)
+  return {
+    way(),
+    body({ y = 76 }),
+    body({ name = "heavy", x = 55, y = -100, vy = v.vy, mass = v.mass }),
+  }
+end
+row("oneWay: (7) holds under a box of mass {mass} that comes at {vy} px/s", EVERYWHERE, loaded, {
+  "listen body",
+  { 1, "body at 50, 76" },
+  { "body on way", "heavy at 55, 52", "heavy on body", "body heard 2, 0" },
+}, { "mass, vy", { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } })
 
 --   v = (100, 0) ->  |  solid on the left
 describe("oneWay: each of its four sides", function()

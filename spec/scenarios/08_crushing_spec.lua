@@ -195,24 +195,22 @@ describe("onCrush: between two walls", function()
   })
 end)
 
-describe("slope: between a press and", function()
-  --   +-----+  +--+|\
-  --   |press|  |  || \    to x = 121, beyond what is at 100; the other slope is far away
-  --   +-----+  +--++--+
-  row("{what} a box ends {where}", play.ONCE, function(v)
-    local block = solid("block", 100, 84, 64, 32)
-    block[2].slope = v.slope
-    local far = solid("far", 500, 84, 64, 32)
-    far[2].slope = "left"
-    return { FLOOR, block, far, wall("press", 60, 101, 16, 14), box("box", 83, 100) }
-  end, {
-    { "press.vx = 60", 0.75, "box.x ~ x" },
-  }, {
-    "what, where, slope, x",
-    { "its upright face", "before it", "left", 84 },
-    { "a wall", "half in each", nil, 102.5 },
-  })
-end)
+--   +-----+  +--+|\
+--   |press|  |  || \    to x = 121, beyond what is at 100; the other slope is far away
+--   +-----+  +--++--+
+row("slope: between a press and {what} a box ends {where}", play.ONCE, function(v)
+  local block = solid("block", 100, 84, 64, 32)
+  block[2].slope = v.slope
+  local far = solid("far", 500, 84, 64, 32)
+  far[2].slope = "left"
+  return { FLOOR, block, far, wall("press", 60, 101, 16, 14), box("box", 83, 100) }
+end, {
+  { "press.vx = 60", 0.75, "box.x ~ x" },
+}, {
+  "what, where, slope, x",
+  { "its upright face", "before it", "left", 84 },
+  { "a wall", "half in each", nil, 102.5 },
+})
 
 describe("onCrush: from above or below", function()
   --   ------------- ceiling, its lower side at y = 16

@@ -94,12 +94,10 @@ describe("airFriction, drag, maxSpeed, friction: slowing down", function()
   })
 end)
 
-describe("maxSpeedY: a speed limit", function()
-  row("(10) maxSpeedY 960 holds", EVERYWHERE, flying, {
-    { 3, "body.vy ~ min(960, 800 * t)", "body.vy <= 960", "body.vx == 50" },
-    "body.vy == 960",
-  }, { "fields", { { vx = 50, maxSpeedY = 960 } } })
-end)
+row("maxSpeedY: a speed limit (10) maxSpeedY 960 holds", EVERYWHERE, flying, {
+  { 3, "body.vy ~ min(960, 800 * t)", "body.vy <= 960", "body.vx == 50" },
+  "body.vy == 960",
+}, { "fields", { { vx = 50, maxSpeedY = 960 } } })
 
 describe("vx and touching: a slide", function()
   local DIAGONAL = box(0, 0, { vx = 100, vy = 100 })

@@ -151,30 +151,29 @@ describe("restitution, friction and mass: energy does not come out of nowhere", 
     end
   end)
 
-  for name, count in pairs({ boxes = 60, balls = 200 }) do
-    it(("nor goes anywhere among %d elastic %s in a room"):format(count, name), function()
-      local levels = { rate = { 60 }, order = { "forward" }, shift = { 0, 1 / 3 } }
-      levels.rate = name == "boxes" and { 30, 60, "irregular" } or levels.rate
-      scene.each(levels, function(run)
-        local random, description = newRandom(1), room({ gravity = 0 }, 400, 400)
-        local columns = math.ceil(math.sqrt(count))
-        local spacing = 400 / columns
-        for i = 0, count - 1 do
-          local x = spacing * (i % columns) + random:between(0, spacing - 10)
-          local y = spacing * math.floor(i / columns) + random:between(0, spacing - 10)
-          local fields = { vx = random:between(-200, 200), vy = random:between(-200, 200) }
-          fields.radius, fields.restitution = name == "balls" and 5 or nil, 1
-          description[#description + 1] = box(nil, x, y, 10, 10, fields)
-        end
-        run:build(description)
-        local _, _, first = sums(run.all)
-        for _ in run:steps(effort.isWhole and 20 or 6) do
-          local _, _, energy = sums(run.all)
-          run:near("share of the energy", energy / first, 1, 1e-9)
-        end
-      end)
+  local gases = { boxes = 60, balls = 200 }
+  small.each("nor goes anywhere among elastic {1} in a room", gases, function(name, count)
+    local levels = { rate = { 60 }, order = { "forward" }, shift = { 0, 1 / 3 } }
+    levels.rate = name == "boxes" and { 30, 60, "irregular" } or levels.rate
+    scene.each(levels, function(run)
+      local random, description = newRandom(1), room({ gravity = 0 }, 400, 400)
+      local columns = math.ceil(math.sqrt(count))
+      local spacing = 400 / columns
+      for i = 0, count - 1 do
+        local x = spacing * (i % columns) + random:between(0, spacing - 10)
+        local y = spacing * math.floor(i / columns) + random:between(0, spacing - 10)
+        local fields = { vx = random:between(-200, 200), vy = random:between(-200, 200) }
+        fields.radius, fields.restitution = name == "balls" and 5 or nil, 1
+        description[#description + 1] = box(nil, x, y, 10, 10, fields)
+      end
+      run:build(description)
+      local _, _, first = sums(run.all)
+      for _ in run:steps(effort.isWhole and 20 or 6) do
+        local _, _, energy = sums(run.all)
+        run:near("share of the energy", energy / first, 1, 1e-9)
+      end
     end)
-  end
+  end)
 end)
 
 -- Several reach a wall in one step, one behind the other.

@@ -265,40 +265,38 @@ end)
 --   +-+ ######
 --   | |#######
 -- Now and then a step ended in the air, and a jump asked for then was lost.
-describe("nudge: up stairs", function()
-  local LEVELS = { rate = { 60, 30, 144, 240 }, shift = { 0, 0.1, 1 / 3 } }
-  LEVELS.order = { "forward", "backward" }
-  local function stairs(v)
-    local list = { solid("ground", -500, 100, 1000, 16) }
-    for i = 1, 40 do
-      local x = v.way * (40 + v.width * (i - 1)) - (v.way < 0 and v.width or 0)
-      list[i + 1] = solid("stair" .. i, x, 100 - v.height * i, v.width, v.height * i)
-    end
-    list[42] = body(v.way > 0 and 0 or -16, 76, 0, 0, { nudge = v.height })
-    return list
+local LEVELS = { rate = { 60, 30, 144, 240 }, shift = { 0, 0.1, 1 / 3 } }
+LEVELS.order = { "forward", "backward" }
+local function stairs(v)
+  local list = { solid("ground", -500, 100, 1000, 16) }
+  for i = 1, 40 do
+    local x = v.way * (40 + v.width * (i - 1)) - (v.way < 0 and v.width or 0)
+    list[i + 1] = solid("stair" .. i, x, 100 - v.height * i, v.width, v.height * i)
   end
-  row(
-    "of {width} x {height} px at {speed} px/s it stands in every step, way {way}",
-    LEVELS,
-    stairs,
+  list[42] = body(v.way > 0 and 0 or -16, 76, 0, 0, { nudge = v.height })
+  return list
+end
+row(
+  "nudge: up stairs of {width} x {height} px at {speed} px/s it stands in every step, way {way}",
+  LEVELS,
+  stairs,
+  {
+    { steps = 1 },
     {
-      { steps = 1 },
-      {
-        time = "floor((24 + 40 * width) / speed * run.rate) / run.rate",
-        keep = "body.vx = way * speed",
-        "body.touching.bottom ~= false",
-      },
-      "body.y < 76 - 10 * height",
+      time = "floor((24 + 40 * width) / speed * run.rate) / run.rate",
+      keep = "body.vx = way * speed",
+      "body.touching.bottom ~= false",
     },
-    {
-      "way, width, height, speed",
-      { 1, 1, 1, 120 },
-      { -1, 1, 1, 60 },
-      { -1, 2, 1, 120 },
-      { 1, 4, 2, 120 },
-      { -1, 8, 4, 200 },
-      { 1, 16, 8, 400 },
-      { -1, 3, 4, 90 },
-    }
-  )
-end)
+    "body.y < 76 - 10 * height",
+  },
+  {
+    "way, width, height, speed",
+    { 1, 1, 1, 120 },
+    { -1, 1, 1, 60 },
+    { -1, 2, 1, 120 },
+    { 1, 4, 2, 120 },
+    { -1, 8, 4, 200 },
+    { 1, 16, 8, 400 },
+    { -1, 3, 4, 90 },
+  }
+)

@@ -528,15 +528,13 @@ end)
 --   #####[   ]          A wall stands where the slope begins. What dashes against it was on its way
 --        [   ]          down the slope in that step.
 --      .-'########
-describe("slope: a wall at its crest", function()
-  row("stops a dash of {speed} px/s on the ground", RATES, {
-    solid("wall", 96, 240, 16, 16),
-    slope(96, 272, 16, 16, "right"),
-    solid("floor", 112, 272, 160, 16),
-    body({ x = 118, y = 248 }),
-  }, {
-    { steps = 1 },
-    { 0.5, keep = "body.vx = -speed", "body.y ~ 248" },
-    "body.x ~ 112",
-  }, { "speed", { 130 }, { 300 }, { 500 }, { 800 } })
-end)
+row("slope: a wall at its crest stops a dash of {speed} px/s on the ground", RATES, {
+  solid("wall", 96, 240, 16, 16),
+  slope(96, 272, 16, 16, "right"),
+  solid("floor", 112, 272, 160, 16),
+  body({ x = 118, y = 248 }),
+}, {
+  { steps = 1 },
+  { 0.5, keep = "body.vx = -speed", "body.y ~ 248" },
+  "body.x ~ 112",
+}, { "speed", { 130 }, { 300 }, { 500 }, { 800 } })
