@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/motion", 988 },
   { "physics/narrowphase", 567 },
   { "physics/objects", 1299 },
-  { "physics/overlaps", 830 },
+  { "physics/overlaps", 833 },
   { "physics/queries", 968 },
   { "physics/sleep", 83 },
   { "physics/solver", 3425 },
