@@ -223,7 +223,7 @@ describe("every field and setting at run time:", function()
 end)
 
 -- Each set of fields has a function that compares objects (readFields). One that says "it may have
--- changed" of an object that has not is no fault of the result, but slow in each update from then on.
+-- changed" of an object that has not changed is slow in each update from then on.
 describe("each field", function()
   local function isFound(world, object)
     local b = world._bodies

@@ -56,8 +56,8 @@ local PASSES, SHOCKS = 16, 6
 -- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
--- Slops, and px at most, by which passes may leave two in each other without gravity. Less is left to
--- later steps: after the first passes a few pairs of a large crowd are always a little too deep.
+-- Slops, and px at most, by which passes may leave two in each other without gravity. Less is left
+-- to later steps: after the first passes a few pairs of a large crowd are always a little too deep.
 -- (Without the bound large bodies stay 0.4 px in each other.)
 local LEFT, DEEPEST = 5, 0.12
 -- Share of its size by which a body is pushed, more than it moves.
