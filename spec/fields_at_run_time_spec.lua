@@ -224,7 +224,7 @@ end)
 
 -- Each set of fields has a function that compares objects (readFields). One that says "it may have
 -- changed" of an object that has not changed is slow in each update from then on.
-describe("each field", function()
+describe("mass, sensor and the others: a field", function()
   local function isFound(world, object)
     local b = world._bodies
     local i = b.slotOf[object]
