@@ -19,9 +19,10 @@ local KEYS = { "left", "right", "up" }
 local seconds, random, session, isToBreak ---@type number, any, table, boolean
 local left, frames, longestSleep = 0, 0, 0 -- s, frames, s
 local mostBytes = 0 -- bytes in a second
--- Of the frames with a rollback that went back furthest (`furthest` steps), s of processor time of
--- the shortest: so much it costs when nothing else disturbs.
-local furthest, cost = 0, 0
+-- Steps of the longest rollback, and s of processor time for each step of the fastest one of at
+-- least SEVERAL: so much it costs when nothing else disturbs.
+local SEVERAL = 3
+local furthest, cost = 0, math.huge
 
 local function printHash(step, mine, theirs)
   print(("hash %d %.17g %.17g"):format(step, mine, theirs))
@@ -54,7 +55,7 @@ end
 local function finish()
   local stats = session.stats
   print(("steps %d"):format(session.now))
-  print(("longestRollback %.2f ms"):format(cost * 1000))
+  print(("longestRollback %.2f ms"):format(furthest > 0 and furthest * cost * 1000 or 0))
   print(("longestSleep %.0f ms"):format(longestSleep * 1000))
   print(("longestWait %.0f ms"):format(stats.longestWait * 1000))
   print(("mostBytes %.0f"):format(mostBytes))
@@ -79,10 +80,8 @@ function love.update(dt)
   local before = os.clock()
   online.update(FRAME)
   local back, time = session.replayed, os.clock() - before
-  if back > furthest then
-    furthest, cost = back, time
-  elseif back > 0 and back == furthest then
-    cost = math.min(cost, time)
+  if back >= SEVERAL then
+    furthest, cost = math.max(furthest, back), math.min(cost, time / back)
   end
   if frames > 240 then -- the state, which comes first, is as much as a second of play
     mostBytes = math.max(mostBytes, session.stats.bytes)
