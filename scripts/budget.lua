@@ -17,13 +17,13 @@ local BUDGET = {
   { "physics/memory", 856 },
   { "physics/motion", 988 },
   { "physics/narrowphase", 567 },
-  { "physics/objects", 1304 },
-  { "physics/overlaps", 833 },
+  { "physics/objects", 1305 },
+  { "physics/overlaps", 834 },
   { "physics/queries", 968 },
   { "physics/sleep", 83 },
   { "physics/solver", 3427 },
   { "physics/space", 508 },
-  { "physics/state", 1044 },
+  { "physics/state", 1047 },
   { "physics/world", 1367 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

@@ -116,7 +116,7 @@ local function pressRound(b, dt, isFirst)
       press.run(b, isFirst)
       b.mustSettle = true -- so that contacts are exactly flush again
       settleLate(b, dt, false)
-    elseif n > 1 then
+    elseif n > 1 or not isFirst then
       return
     end
   end

@@ -45,8 +45,7 @@ end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
 -- in a state from elsewhere: then fields may land on the wrong objects. nil: there is no
--- such group.
--- (Of a group of loaded objects that says nothing.)
+-- such group. (Of a group of loaded objects that says nothing.)
 local function misfit(world, st, named)
   for _, group in ipairs(st.groups) do
     local members, count = world.objects[group.name], group.count
@@ -141,12 +140,15 @@ end
 local function writeField(st, objects, row, odd)
   local name, list, numbers, at = row.name, st.fields[row.name] or NONE, odd or NONE, 1
   local due = list[1] -- the number of the next object that has the field
-  for m = 1, odd and not due and #odd or 0 do -- (the usual case)
-    if objects[odd[m]][name] ~= nil then
-      objects[odd[m]][name] = nil
+  if odd and not due then -- no object has the field, which is the case of most
+    for m = 1, #odd do
+      if objects[odd[m]][name] ~= nil then
+        objects[odd[m]][name] = nil
+      end
     end
+    return
   end
-  for m = 1, odd and (due and #odd or 0) or st.count do
+  for m = 1, odd and #odd or st.count do
     local n, value = numbers[m] or m, nil
     if n == due then
       value, at = list[at + 1], at + 2

@@ -19,9 +19,8 @@ local KEYS = { "left", "right", "up" }
 local seconds, random, session, isToBreak ---@type number, any, table, boolean
 local left, frames, longestSleep = 0, 0, 0 -- s, frames, s
 local mostBytes = 0 -- bytes in a second
--- Steps of the longest rollback, and s of processor time for each step of the fastest one of at
--- least SEVERAL: so much it costs when nothing else disturbs.
-local SEVERAL = 3
+-- Steps of the longest rollback, and s of processor time for each step of the fastest one: so much
+-- it costs when nothing else disturbs.
 local furthest, cost = 0, math.huge
 
 local function printHash(step, mine, theirs)
@@ -80,7 +79,7 @@ function love.update(dt)
   local before = os.clock()
   online.update(FRAME)
   local back, time = session.replayed, os.clock() - before
-  if back >= SEVERAL then
+  if back > 0 then
     furthest, cost = math.max(furthest, back), math.min(cost, time / back)
   end
   if frames > 240 then -- the state, which comes first, is as much as a second of play
