@@ -69,13 +69,11 @@ end
 --- The list of awake bodies is the queue of this flood fill.
 function islands.wake(b, i)
   local list, kind, awakeAt = b.awakeList, b.kind, b.awakeAt
-  if kind[i] == STATIC or not b.active[i] then
+  if kind[i] == STATIC or awakeAt[i] > 0 or not b.active[i] then
     return
   end
   local n = b.awakeCount + 1
-  if awakeAt[i] == 0 then
-    rouse(b, i)
-  end
+  rouse(b, i)
   while n <= b.awakeCount do
     for _, j in neighbours(b, list[n]) do
       if kind[j] == DYNAMIC and awakeAt[j] == 0 then
