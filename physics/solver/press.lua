@@ -355,11 +355,12 @@ local function accelerate(b, k, tau, most)
   path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
 end
 
--- Notes that slot i was pushed.
+-- Notes that slot i was pushed, once.
 local function note(b, i)
-  local k, m, dt = 2 * i, 2 * i + 1, b.dt
-  b.deflectedAt[i] = b.solveStamp
-  if b.give[k] > 0 then
+  local k, m, dt, s = 2 * i, 2 * i + 1, b.dt, b.slants
+  local isNew = s.mark[i] ~= -s.stamp
+  s.mark[i], b.deflectedAt[i] = -s.stamp, b.solveStamp
+  if isNew and b.give[k] > 0 then
     local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
     local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
     accelerate(b, k, tau, most)
@@ -410,12 +411,16 @@ function press.run(b, ofAll)
   noteAll(b)
 end
 
+-- Returns whether body k has hardly moved on its axis, and hardly moves.
+local function isStill(b, k)
+  local rest = path.rest(b, k)
+  local x, u = b.to[k] - b.origin[k] - rest * b.dt, (b.speed[k] - rest) * b.dt
+  return max(x, -x, u, -u) <= EPSILON
+end
+
 -- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
 local function rest(b, i)
-  local k, m, speed = 2 * i, 2 * i + 1, b.speed
-  local x, y = path.motion(b, k), path.motion(b, m)
-  local u, v = (speed[k] - path.rest(b, k)) * b.dt, (speed[m] - path.rest(b, m)) * b.dt
-  if b.kind[i] == DYNAMIC and max(x, -x, y, -y, u, -u, v, -v) <= EPSILON then
+  if b.kind[i] == DYNAMIC and isStill(b, 2 * i) and isStill(b, 2 * i + 1) then
     path.putBack(b, i)
   end
 end
