@@ -111,8 +111,11 @@ end
 
 -- Returns whether two bodies that close at u px/s are left to an impact.
 local function isElastic(b, i, j, u)
+  if yielding.elasticity(b, i, j) == 0 then
+    return false
+  end
   local pull = max(path.largest(b.pull, 2 * i), path.largest(b.pull, 2 * j))
-  return yielding.elasticity(b, i, j) > 0 and (pull == 0 or u > 2 * b.dt * pull)
+  return pull == 0 or u > 2 * b.dt * pull
 end
 
 -- Returns whether slot i or slot j is round, and they can press each other.
@@ -245,7 +248,7 @@ function slant.find(b, isFirst)
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
     local isOpen = touches[p] == APART and not waits and ball.isRound(b, i, j)
-    hasNew = isOpen and findPair(b, p) or hasNew
+    hasNew = isOpen and not isElastic(b, i, j, -huge) and findPair(b, p) or hasNew
   end
   return hasNew
 end
