@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 834 },
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3431 },
+  { "physics/solver", 3434 },
   { "physics/space", 508 },
   { "physics/state", 1047 },
   { "physics/world", 1367 },
