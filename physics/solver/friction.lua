@@ -151,7 +151,7 @@ local function addGround(b, k, base, mu, load, weight, dt)
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
   local drag = b.base[k] == base and b.grip[k] or 0 -- that acts like friction of this ground
-  b.base[k], b.grip[k], b.rough[k] = base, weight / dt + drag, mu
+  b.base[k], b.grip[k] = base, weight / dt + drag
   flow.notePulled(b, k)
 end
 
