@@ -210,10 +210,12 @@ function friction.run(b, axis, dt)
     end
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
-    settle.hold(b, rubbed, dt)
+    local areLeft = settle.hold(b, rubbed, dt)
     isGlued = bonds.glue(b, held, dt)
-    settle.finish(b, rubbed, dt, isGlued, false)
-    local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
+    if areLeft or isGlued then
+      settle.finish(b, rubbed, dt, false)
+    end
+    local mayChange = attempt < ATTEMPTS and (areLeft or isGlued or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end
