@@ -39,10 +39,6 @@ end
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
-  if b.deepWay[p] ~= 0 then
-    b.wedged[p] = b.deepWay[p]
-    return
-  end
   local position, size = b.position, b.size
   if b.hasShapes and touch.haveFaces(b, i, j) then
     local box, ramp = touch.order(b, i, j)
@@ -91,7 +87,9 @@ local function deepContact(b, p, i, j)
     leaveInside(b, i, j)
     return 0
   end
-  wedge(b, p, i, j)
+  if b.wedged[p] == 0 then
+    wedge(b, p, i, j)
+  end
   local isWedged = b.wedged[p] ~= 0
   local areLeft = not isWedged or b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if areLeft and not (b.hasRound and ball.isRolling(b, b.to, i, j)) then
