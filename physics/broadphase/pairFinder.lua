@@ -54,7 +54,7 @@ local function listParted(b, strays, count)
       local p = floor(half * 0.5 + 0.5)
       if contact(fatLow, fatHigh, 2 * pairA[p], 2 * pairB[p]) < 0 then
         local isNeeded = b.contact[p] ~= 0 or b.hit[p] ~= 0 or b.touches[p] ~= 0
-        if not (isNeeded or b.overlapping[p] or place[p] == LEAVING) then
+        if not (isNeeded or place[p] == LEAVING) then
           n = n + 1
           parted[n], place[p] = p, LEAVING
         end

@@ -5,7 +5,7 @@
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
 -- Reads to, position, hit, pressedAt, passing and others; writes contact,
--- overlapping, wedged, dropping, inside, news, and notes the events.
+-- wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
@@ -116,7 +116,6 @@ end
 -- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
   local side = sideOf(b, p, i, j)
-  b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     return deepContact(b, p, i, j)
   end
