@@ -29,15 +29,6 @@ local KEEPERS =
   { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone", "reranked" }
 local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
 
---- Names the columns of gravity, air friction and drag of a body, with zones and without (see
---- zones).
-function allot.chooseFlow(b)
-  local hasZones = b.hasZones
-  b.flowPull = hasZones and b.zonePull or b.pull
-  b.flowAir = hasZones and b.zoneAir or b.airFriction
-  b.flowDrag = hasZones and b.zoneDrag or b.drag
-end
-
 --- Makes room in some columns for the index `last`.
 function allot.reserve(b, rows, last)
   local old = b.reserved[rows] ---@type number
@@ -50,7 +41,6 @@ function allot.reserve(b, rows, last)
     b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
   end
   b.reserved[rows] = count
-  allot.chooseFlow(b)
 end
 
 -- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles

@@ -6,12 +6,10 @@
 -- step: so nothing depends on the step in which an edge is crossed.
 -- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
 --
--- Reads area, position, velocity, pull, airFriction, drag; writes zonePull, zoneAir, zoneDrag and,
--- where a zone has a gravity of its own, down, slowest and fastest. Later stages read these columns
--- as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
+-- Reads area, position, velocity, pull, airFriction, drag; writes flowPull, flowAir, flowDrag and,
+-- where a zone has a gravity of its own, down. Without zones objects/readFields.lua has written them.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local allot = require(root .. ".memory.allot")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
@@ -36,7 +34,6 @@ function zones.note(b, i)
   end
   b.hasZones = true
   b.hasLimits = b.hasLimits or (area.drag or 0) > 0
-  allot.chooseFlow(b)
 end
 
 -- Puts the list in the order of the world, without those that are zones no more. (Slots at the end
@@ -92,14 +89,14 @@ local function attract(b, i, j, share, time)
   local dy = place(b, m + 1, time) + size[m + 1] * 0.5 - place(b, k + 1, time) - size[k + 1] * 0.5
   local distance, radius = max(sqrt(dx * dx + dy * dy), TINY), min(size[m], size[m + 1]) * 0.5
   local pull = share * area.attract * strength(area.law, distance / radius) / distance
-  b.zonePull[k], b.zonePull[k + 1] = b.zonePull[k] + dx * pull, b.zonePull[k + 1] + dy * pull
+  b.flowPull[k], b.flowPull[k + 1] = b.flowPull[k] + dx * pull, b.flowPull[k + 1] + dy * pull
 end
 
 -- Replaces the gravity of body k by that of a zone, g, for `share` of the body, as far as no zone
 -- on top acts on it already.
 local function replace(b, k, g, share)
   local taken = min(share, b.zoneLeft[k])
-  b.zonePull[k], b.zoneLeft[k] = b.zonePull[k] + (g - b.pull[k]) * taken, b.zoneLeft[k] - taken
+  b.flowPull[k], b.zoneLeft[k] = b.flowPull[k] + (g - b.pull[k]) * taken, b.zoneLeft[k] - taken
 end
 
 -- Replaces the gravity of slot i by that of zone j.
@@ -112,7 +109,7 @@ end
 -- Adds the effects of zone j on slot i beyond gravity: `ax, ay` (wind), airFriction, drag and
 -- attraction.
 local function push(b, i, j, share, time)
-  local pull, air, drag, k, area = b.zonePull, b.zoneAir, b.zoneDrag, 2 * i, b.area[j]
+  local pull, air, drag, k, area = b.flowPull, b.flowAir, b.flowDrag, 2 * i, b.area[j]
   pull[k] = pull[k] + (area.ax or 0) * share
   pull[k + 1] = pull[k + 1] + (area.ay or 0) * share
   air[i] = air[i] + (area.airFriction or 0) * share
@@ -138,12 +135,12 @@ end
 -- fields.
 local function reset(b, list, count)
   local pull, air, drag = b.pull, b.airFriction, b.drag
-  local zonePull, zoneAir, zoneDrag, left = b.zonePull, b.zoneAir, b.zoneDrag, b.zoneLeft
+  local flowPull, flowAir, flowDrag, left = b.flowPull, b.flowAir, b.flowDrag, b.zoneLeft
   for n = 1, count do
     local i = list[n]
     left[2 * i], left[2 * i + 1] = 1, 1
-    zonePull[2 * i], zonePull[2 * i + 1] = pull[2 * i], pull[2 * i + 1]
-    zoneAir[i], zoneDrag[i] = air[i], drag[i]
+    flowPull[2 * i], flowPull[2 * i + 1] = pull[2 * i], pull[2 * i + 1]
+    flowAir[i], flowDrag[i] = air[i], drag[i]
   end
 end
 
@@ -159,7 +156,7 @@ local function turnAll(b, list, count, time)
   for n = 1, count do
     local i = list[n]
     if b.kind[i] == DYNAMIC then
-      path.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
+      path.setDown(b, i, b.flowPull[2 * i], b.flowPull[2 * i + 1])
     end
   end
 end
