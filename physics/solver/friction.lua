@@ -125,10 +125,11 @@ local function findSupports(b, list, axis)
   end
 end
 
--- Adds the load of contact c: the impulse that was taken off body `up` in this step, plus the load
--- of the bodies on it. The part that its own acceleration has caused counts as weight; the rest is
--- an impact. (What its carrier gives it in each step, and a wall takes off again, is no load.)
-local function addLoad(b, list, c, up, low, sign, dt)
+-- Adds to the load of body `up`, so far that of the bodies on it, the impulse that was taken off it in
+-- this step, and passes all on to its support. The part that its own acceleration has caused counts
+-- as weight; the rest is an impact. (The velocity that its carrier gives it in each step, and a wall
+-- takes off again, is no load.)
+local function addLoad(b, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
   if air ~= 0 then -- air friction that would slow its fall bears no load
@@ -138,7 +139,7 @@ local function addLoad(b, list, c, up, low, sign, dt)
   local impulse, pull = (free - gift - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
   local load = b.load[up] + impulse
   local weight = min(load, b.weight[up] + pull)
-  list.load[c], list.weight[c] = load, weight
+  b.load[up], b.weight[up] = load, weight
   b.load[low], b.weight[low] = b.load[low] + load, b.weight[low] + weight
 end
 
@@ -155,19 +156,19 @@ local function addGround(b, k, base, mu, load, weight, dt)
   flow.notePulled(b, k)
 end
 
--- Notes that body ku, which leans on body ks in contact c, rubs along the other axis: on ground, or
--- through a bond.
-local function addContact(b, list, held, c, ku, ks, dt)
-  local axis, i, j = list.axis, floor(ku * 0.5), floor(ks * 0.5)
+-- Notes that body ku, which leans on body ks, rubs along the other axis: on ground, or through a
+-- bond.
+local function addContact(b, axis, held, ku, ks, dt)
+  local i, j, load = floor(ku * 0.5), floor(ks * 0.5), b.load[ku]
   local mu = friction.coefficient(b, i, j)
-  if mu <= 0 or list.load[c] <= 0 then
+  if mu <= 0 or load <= 0 then
     return
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
   if b.give[ts] == 0 then
-    addGround(b, tu, carriers.surface(b, i, j, axis), mu, list.load[c], list.weight[c], dt)
+    addGround(b, tu, carriers.surface(b, i, j, axis), mu, load, b.weight[ku], dt)
   else
-    bonds.add(b, held, tu, ts, mu * list.load[c])
+    bonds.add(b, held, tu, ts, mu * load)
   end
 end
 
@@ -181,9 +182,9 @@ local function walk(b, list, held, dt, rubs)
     for c = first, last, way do
       local isBorne = list.bearing[c] == sign and b.bearer[up[c]] == c -- with all its load
       if isBorne and rubs then
-        addContact(b, list, held, c, up[c], low[c], dt)
+        addContact(b, list.axis, held, up[c], low[c], dt)
       elseif isBorne then
-        addLoad(b, list, c, up[c], low[c], sign, dt)
+        addLoad(b, up[c], low[c], sign, dt)
       end
     end
   end
