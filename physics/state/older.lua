@@ -3,9 +3,7 @@
 --- were; the library remembers nothing of them: contacts are told again, and riders board.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local format = require(root .. ".state.format")
 local layout = require(root .. ".memory.layout")
-local save = require(root .. ".state.save")
 
 local older = {}
 
@@ -75,13 +73,10 @@ function older.read(old)
     own[n] = entry.name
   end
   st.version, st.count, st.boxes, st.others, st.gone = layout.VERSION, #objects, {}, {}, {}
-  for n, object in ipairs(objects) do
-    for m = 1, 4 do
-      st.boxes[4 * n - 4 + m] = object[DENSE[m]]
-    end
-    st.others[2 * n - 1], st.others[2 * n] = n, format.isStatic(object)
+  st.fields, st.own = objects, own[1] and own
+  for n = 1, #objects do
+    st.others[n] = n
   end
-  save.fields(nil, st, objects, own[1] and own)
   for _, entry in ipairs(layout.KEPT) do
     st.memory[entry[1]] = {}
   end
