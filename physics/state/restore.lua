@@ -191,19 +191,6 @@ local function readStatic(b, objects, odd)
   end
 end
 
--- Reads all objects in their old order. If the game has set another `order` since the last step, it
--- holds from the next step on.
-local function readAll(world, st)
-  local r, names = world._bodies.registry, {}
-  for n, group in ipairs(st.groups) do
-    names[n] = group.name
-  end
-  local order = r.order
-  r.order, r.reorder = names, true
-  read.run(world._bodies, world.objects)
-  r.order, r.reorder = order, true
-end
-
 -- Memory ------------------------------------------------------------------------------------------
 
 -- Forgets all events and all contacts, without events about it.
@@ -325,7 +312,7 @@ function restore.world(world, st)
   local odd = writeFields(b, st, objects)
   place(world, st, objects)
   readStatic(b, objects, odd)
-  readAll(world, st)
+  read.run(b, world.objects)
   readStatic(b, objects, odd)
   events.forget(b.events)
   restoreMemory(b, st, objects)
