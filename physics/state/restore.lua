@@ -195,7 +195,6 @@ end
 
 -- Forgets all events and all contacts, without events about it.
 local function forget(b)
-  events.forget(b.events)
   for c = 1, #PAIRS do
     local column = b[PAIRS[c][1]]
     for p = 1, b.pairSlots do
@@ -311,7 +310,6 @@ function restore.world(world, st)
   settings.apply(world)
   local odd = writeFields(b, st, objects)
   place(world, st, objects)
-  readStatic(b, objects, odd)
   read.run(b, world.objects)
   readStatic(b, objects, odd)
   events.forget(b.events)
