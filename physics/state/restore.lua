@@ -120,13 +120,13 @@ end
 -- Writes the fields. An object that had left the world gets those that it had then. Returns the
 -- numbers of the objects that must be read: all but tiles that are in place.
 local function writeFields(b, st, objects)
-  local odd, boxes, others, own, at, m = {}, st.boxes, st.others, st.own, 1, 1
+  local odd, list, others, own, at, m = {}, st.boxes, st.others, st.own, 1, 1
   for n = 1, st.count do
     local object, i, saved = objects[n], b.slotOf[objects[n]], st.fields[m]
     if others[m] == n then
       m = m + 1
     else
-      local x, y, width, height = boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3]
+      local x, y, width, height = list[at], list[at + 1], list[at + 2], list[at + 3]
       object.x, object.y, object.width, object.height = x, y, width, height
       local isStill = i and format.isTile(b, i, object, own) and format.isInPlace(b, i, object)
       saved = not isStill and { x = x, y = y, width = width, height = height, static = true }
@@ -310,6 +310,7 @@ function restore.world(world, st)
   settings.apply(world)
   local odd = writeFields(b, st, objects)
   place(world, st, objects)
+  readStatic(b, objects, odd)
   read.run(b, world.objects)
   readStatic(b, objects, odd)
   events.forget(b.events)
