@@ -36,7 +36,7 @@
 -- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
 -- `hint = "hasFriction"`, and one line in `friction.coefficient`: all four places ask that. It must
 -- not depend on which of the two bodies comes first. Slanted contacts (a ball on a slope, on a
--- corner, on a ball) have no friction: see press.lua.
+-- corner, on a ball) have none: see ARCHITECTURE, friction.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")

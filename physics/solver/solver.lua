@@ -5,16 +5,17 @@
 -- The stages are in `solve`:
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
--- 3. Rounds: sweep, resolve the first impacts (`rounds`), settle again (`settleLate`).
+-- 3. Rounds: sweep, resolve the first impacts (`rounds`), settle again (`settleLate`). Boxes that
+--    slopes squeeze are clipped (`clip`), with rounds again.
 -- 4. Limit the motion of overlapping bodies (`bounds`), lower bodies with the ground (`snap`), note
 --    which bodies are pressed and which are crushed (`notePressed`).
 --
 -- Where there are slopes, boxes follow the ground (`walk`) after 2. and after each round. Where
 -- there are circles, their slanted contacts are solved (`press`) at the same places.
 --
--- A stage only changes where paths end and how fast (`to`, `speed`, `accel`); impacts and nudges
--- also change where and when they begin (`from`, `time`). Every later stage starts from that state,
--- so the last word is with the last stage: with walls in `bounds`.
+-- A stage only changes where paths end and how fast (`to`, `speed`, `accel`); impacts, nudges and
+-- clips also change where and when they begin (`from`, `time`). Every later stage starts from that
+-- state, so the last word is with the last stage: with walls in `bounds`.
 --
 -- A step is bounded. It has at most ROUNDS rounds, in each of which a body takes part in one
 -- impact. Each round makes a fixed number of passes over the contacts. Work that cannot be finished
