@@ -248,7 +248,7 @@ describe("ownFields", function()
     "one.raw.bag, two.raw.bag = { 'rope', { lamp = 2, isLit = true } }, false",
     "state = world:save()",
     "one.raw.hp, one.raw.bag[2].lamp, two.raw.bag, door.raw.hp = 5, 7, nil, 0",
-    "three.raw.bag = 1; world:restore(state)",
+    "three.raw.bag, floor.raw.hp = 1, 1; world:restore(state); floor.raw.hp == nil",
     "one.raw.hp == 1; one.raw.bag[1] == 'rope'; one.raw.bag[2].lamp == 2",
     "one.raw.bag[2].isLit == true; two.raw.bag == false; three.raw.bag == nil; door.raw.hp == 9",
     -- The copy of the state stays as it is.
