@@ -248,7 +248,7 @@ describe("ownFields", function()
     "one.raw.bag, two.raw.bag = { 'rope', { lamp = 2, isLit = true } }, false",
     "state = world:save()",
     "one.raw.hp, one.raw.bag[2].lamp, two.raw.bag, door.raw.hp = 5, 7, nil, 0",
-    "three.raw.bag, floor.raw.hp = 1, 1; world:restore(state); floor.raw.hp == nil",
+    "three.raw.bag = 1; world:restore(state)",
     "one.raw.hp == 1; one.raw.bag[1] == 'rope'; one.raw.bag[2].lamp == 2",
     "one.raw.bag[2].isLit == true; two.raw.bag == false; three.raw.bag == nil; door.raw.hp == 9",
     -- The copy of the state stays as it is.
@@ -263,6 +263,17 @@ describe("ownFields", function()
     "twin:restore(world:save()); twin:hash() == hash",
     "twin.objects.men[2].hp = nil; twin:hash() ~= hash",
   })
+
+  it("of tiles come back, and leave those that had none", function()
+    local world = physics.newWorld({ ownFields = { "hp" } })
+    local door = world:add("tiles", { x = 0, y = 0, width = 8, height = 8, static = true, hp = 9 })
+    local tile = world:add("tiles", { x = 8, y = 0, width = 8, height = 8, static = true })
+    world:update(DT)
+    local state = world:save()
+    door.hp, tile.hp = 0, 1
+    world:restore(state)
+    assert.same({ 9 }, { door.hp, tile.hp })
+  end)
 
   it("leave a state and a hash as they were where nothing is named", function()
     local plain, named = newScene(), newScene({})
