@@ -248,9 +248,8 @@ function slant.find(b, isFirst)
   return hasNew
 end
 
---- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The
---- two may be deep in each other, if others have pushed them there in this step.) Returns whether
---- it did.
+--- Makes a plane of pair p, which meets at moment t in a round and does not bounce. (The two may be
+--- deep in each other, if others have pushed them there in this step.) Returns whether it did.
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
@@ -258,7 +257,7 @@ function slant.meet(b, p, t)
   end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
   local isLost = gap < -LOST * ball.smallest(b, i, j) and gapIn(b, b.origin, i, j) < -EPSILON
-  if isLost or nx == 0 or ny == 0 then
+  if isLost then
     return false
   end
   put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
