@@ -21,8 +21,8 @@ local BUDGET = {
   { "physics/overlaps", 835 },
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3429 },
-  { "physics/space", 508 },
+  { "physics/solver", 3417 },
+  { "physics/space", 513 },
   { "physics/state", 1046 },
   { "physics/world", 1367 },
 }
