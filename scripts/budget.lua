@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 835 },
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3417 },
+  { "physics/solver", 3406 },
   { "physics/space", 513 },
   { "physics/state", 977 },
   { "physics/world", 1367 },
