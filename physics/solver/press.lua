@@ -288,8 +288,8 @@ end
 
 -- The end of the step -----------------------------------------------------------------------------
 
--- Limits how far dynamic slot i is pushed: a share of its size, and what its speed explains. (A
--- body between immovable ones would be pushed to and fro.)
+-- Limits how far dynamic slot i is pushed: a share of its size, and as far as its speed takes it.
+-- (A body between immovable ones would be pushed to and fro.)
 local function limit(b, i)
   local k, to, origin, start, free = 2 * i, b.to, b.origin, b.start, b.freeSpeed
   local fastest = max(path.largest(start, k), path.largest(free, k), path.largest(b.speed, k))
