@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 629 },
   { "physics/contacts", 379 },
-  { "physics/fields", 680 },
+  { "physics/fields", 682 },
   { "physics/maps", 2483 },
   { "physics/memory", 849 },
   { "physics/motion", 1000 },
@@ -23,7 +23,7 @@ local BUDGET = {
   { "physics/sleep", 81 },
   { "physics/solver", 3417 },
   { "physics/space", 513 },
-  { "physics/state", 1046 },
+  { "physics/state", 977 },
   { "physics/world", 1367 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
