@@ -23,9 +23,12 @@ local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.O
 local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
 
---- The values of an event besides its objects `a`, `b` and `c`: each has a list, by event. (So do
+--- The values of an event, of which the first three are objects: each has a list, by event. (So do
 --- `leant` and the ranks, which put it in order.)
 events.VALUES = {
+  "a",
+  "b",
+  "c", -- false: there are two only
   "kind", -- the name of its callback
   "side", -- of `a`; or the name of an axis, or false (see `event` in fields/fields)
   "speed", -- px/s; of `onStay`: s, the length of its step
@@ -55,9 +58,6 @@ function events.new()
     leant = {}, -- 1: the contact begins because one object leans on the other, without a hit
     rankA = {},
     rankB = {},
-    a = {},
-    b = {},
-    c = {},
   }
   for _, name in ipairs(events.VALUES) do
     e[name] = {}

@@ -322,8 +322,7 @@ local function forgetJams(b)
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j = s.one[c], s.other[c]
-    local most = JAMMED * ball.smallest(b, i, j)
-    if depthOf(b, c) > most then
+    if depthOf(b, c) > JAMMED * ball.smallest(b, i, j) then
       s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
     end
   end

@@ -178,9 +178,8 @@ function slant.takes(b, p)
   local gap, nx, ny = gapIn(b, b.from, i, j)
   local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
   local bounces = gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u)
-  if bounces or gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
-    return false
-  elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
+  local isFar = gap > EPSILON or gap < -LOST * ball.smallest(b, i, j)
+  if bounces or isFar or passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)

@@ -34,8 +34,8 @@ local function write(all, name, list, isOurs)
   end
 end
 
--- Returns the objects of a state of version 2, by their number in it.
-local function objectsOf(old)
+-- Returns the objects of a state of version 2, by their number in it. Lists the names in `own`.
+local function objectsOf(old, own)
   local all = {}
   for n = 1, #old.x do
     all[n] = {}
@@ -46,8 +46,9 @@ local function objectsOf(old)
   for name, list in pairs(old.fields) do
     write(all, name, list, true)
   end
-  for _, entry in ipairs(old.own or {}) do
+  for n, entry in ipairs(old.own or {}) do
     write(all, entry.name, entry.values)
+    own[n] = entry.name
   end
   return all
 end
@@ -55,7 +56,8 @@ end
 --- Returns a state of version 2 as one of today. (Objects that were added since the last step are
 --- the last ones there, in no group.)
 function older.read(old)
-  local st, all, objects, others, own = {}, objectsOf(old), {}, {}, {}
+  local st, objects, others, own = {}, {}, {}, {}
+  local all = objectsOf(old, own)
   for name, value in pairs(old) do
     st[name] = type(value) ~= "table" and value or {}
   end
@@ -69,9 +71,6 @@ function older.read(old)
       local n = #objects + 1
       objects[n], others[n] = all[group.objects and group.objects[m] or n], n
     end
-  end
-  for n, entry in ipairs(old.own or {}) do
-    own[n] = entry.name
   end
   st.version, st.count, st.boxes, st.gone = layout.VERSION, #objects, {}, {}
   st.others, st.fields, st.own = others, objects, own[1] and own

@@ -26,7 +26,7 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local restore = {}
 
-local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
+local STATIC = constants.STATIC
 local COLUMNS, PAIRS, VALUES = layout.KEPT, format.PAIRS, events.VALUES
 local NONE = {}
 local max, min = math.max, math.min
@@ -177,7 +177,7 @@ local function readStatic(b, objects, odd)
   b.restored = slots
   for m = 1, #odd do
     local object = objects[odd[m]]
-    local i, isStatic = b.slotOf[object], format.isStatic(object)
+    local i, isStatic = b.slotOf[object], object.static or false
     local wasStatic = i and b.kind[i] == STATIC
     local isOther = isStatic and wasStatic and readFields.firstOfStatic(b, i, object)
     if i and b.group[i] and (isOther or isStatic ~= wasStatic) then
@@ -239,9 +239,7 @@ local function restoreMemory(b, st, objects)
     local i = slots[n]
     islands.wake(b, i)
     boxes.stand(b, i)
-    if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
-      read.resetTouching(b, i)
-    end
+    read.resetTouching(b, i) -- (its table may be that of another world now, or of several)
   end
   b.movedCount = #st.memory.moved * 0.5
   for n = 1, b.movedCount do
@@ -276,13 +274,12 @@ end
 
 local function restoreEvents(b, st, objects)
   local e, list, n = b.events, st.events, 0
-  for at = 1, #list, 3 + #VALUES do
+  for at = 1, #list, #VALUES do
     n = n + 1
     e.order[n] = n
-    e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
-    e.c[n] = objects[list[at + 2]] or false
     for m = 1, #VALUES do
-      e[VALUES[m]][n] = list[at + 2 + m]
+      local value = list[at + m - 1]
+      e[VALUES[m]][n] = m > 3 and value or m <= 3 and objects[value] or false
     end
   end
   e.count, e.sorted, e.told, e.heardBy = n, n, st.heardBy and 1 or 0, st.heardBy or 3
