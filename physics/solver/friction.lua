@@ -151,7 +151,7 @@ local function addGround(b, k, base, mu, load, weight, dt)
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
   local drag = b.base[k] == base and b.grip[k] or 0 -- that acts like friction of this ground
-  b.base[k], b.grip[k], b.rough[k] = base, weight / dt + drag, mu
+  b.base[k], b.grip[k] = base, weight / dt + drag
   flow.notePulled(b, k)
 end
 
@@ -210,10 +210,12 @@ function friction.run(b, axis, dt)
     end
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
-    settle.hold(b, rubbed, dt)
+    local areLeft = settle.hold(b, rubbed, dt)
     isGlued = bonds.glue(b, held, dt)
-    settle.finish(b, rubbed, dt, isGlued, false)
-    local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
+    if areLeft or isGlued then
+      settle.finish(b, rubbed, dt, false)
+    end
+    local mayChange = attempt < ATTEMPTS and (areLeft or isGlued or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end

@@ -55,8 +55,8 @@ local LATE = 12
 local RESTARTS = 8
 -- How often boxes are clipped: one that was stopped is in the way of others.
 local CLIPS = 8
--- How often slanted contacts are solved before the first round.
-local PRESSES = 3
+-- How often slanted contacts are solved, and corners corrected, before the first round.
+local PRESSES, NUDGES = 3, 4
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
@@ -82,7 +82,7 @@ end
 
 -- Nudges bodies that are pressed against a corner, and settles again from their new places.
 local function nudgeTouching(b, dt)
-  for _ = 1, nudge.MOST do
+  for _ = 1, NUDGES do
     if not nudge.run(b) then
       return
     end
@@ -94,12 +94,12 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles the bodies that are connected with violated contacts, follows the ground, and looks up
--- the neighbours of the new paths. `isFirst`: before the first round.
-local function settleLate(b, dt, isFirst)
-  settle.again(b, b.downAxis, dt)
-  settle.again(b, 1 - b.downAxis, dt)
-  b.mustSettle = false
+-- Settles the bodies that are connected with violated contacts, or all (`ofAll`), follows the
+-- ground, and looks up the neighbours of the new paths. `isFirst`: before the first round.
+local function settleLate(b, dt, isFirst, ofAll)
+  local settleAxis = ofAll and settle.axis or settle.again
+  settleAxis(b, b.contacts[b.downAxis], dt, true)
+  settleAxis(b, b.contacts[1 - b.downAxis], dt, true)
   rounds.findChanged(b)
   if b.walks then
     walk.run(b, dt, isFirst)
@@ -115,8 +115,7 @@ local function pressRound(b, dt, isFirst)
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
-      b.mustSettle = true -- so that contacts are exactly flush again
-      settleLate(b, dt, false)
+      settleLate(b, dt, false, true) -- so that contacts are exactly flush again
     elseif n > 1 or not isFirst then
       return
     end
@@ -126,7 +125,7 @@ end
 -- Makes the stages before the first round: settles the bodies that touch when the step begins,
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
-  b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
+  b.solveStamp, b.isTight = b.solveStamp + 1, false
   b.blockedCount, b.changedCount, b.dirtyStamp = 0, 0, b.dirtyStamp + 1
   b.contacts[0].isFresh, b.contacts[1].isFresh = true, true
   flow.begin(b)
@@ -138,7 +137,7 @@ local function prepare(b, dt)
   if b.hasAids then
     nudgeTouching(b, dt)
   end
-  settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
+  settleLate(b, dt, true, false) -- friction, or crushed circles, may have violated other contacts
   pressRound(b, dt, true)
 end
 
@@ -154,7 +153,7 @@ local function runRounds(b, dt, awakenings)
     if b.walks then
       walk.run(b, dt, false)
     end
-    settleLate(b, dt, false)
+    settleLate(b, dt, false, false)
     pressRound(b, dt, false)
   end
   return b.overlapCount > 0 or b.isTight
