@@ -125,10 +125,10 @@ local function findSupports(b, list, axis)
   end
 end
 
--- Adds to the load of body `up`, so far that of the bodies on it, the impulse that was taken off it in
--- this step, and passes all on to its support. The part that its own acceleration has caused counts
--- as weight; the rest is an impact. (The velocity that its carrier gives it in each step, and a wall
--- takes off again, is no load.)
+-- Adds to the load of body `up`, so far that of the bodies on it, the impulse that was taken off it
+-- in this step, and passes all on to its support. The part that its own acceleration has caused
+-- counts as weight; the rest is an impact. (The velocity that its carrier gives it in each step,
+-- and a wall takes off again, is no load.)
 local function addLoad(b, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
