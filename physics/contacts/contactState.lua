@@ -5,7 +5,7 @@
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
 -- Reads to, position, hit, pressedAt, passing and others; writes contact,
--- overlapping, wedged, dropping, inside, news, and notes the events.
+-- wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
@@ -47,14 +47,14 @@ end
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
-  local position, side = b.position, b.deepWay[p]
-  if side == 0 and b.hasShapes and touch.haveFaces(b, i, j) then
+  local position, side = b.position, 0
+  if b.hasShapes and touch.haveFaces(b, i, j) then
     local box, ramp = touch.order(b, i, j)
     side = touch.sideBefore(b, box, ramp, position, b.size, position)
     side = box == i and side or OPPOSITE[side]
-  elseif side == 0 and b.hasRound and ball.isRolling(b, position, i, j) then
+  elseif b.hasRound and ball.isRolling(b, position, i, j) then
     side = normalSide(b, position, i, j)
-  elseif side == 0 then
+  else
     for axis = 1, 0, -1 do -- (x counts first)
       local k, m = 2 * i + axis, 2 * j + axis
       local r = position[m] - position[k]
@@ -62,7 +62,7 @@ local function wedge(b, p, i, j)
       side = isApart and 2 * axis + (r < 0 and 1 or 2) or side
     end
   end
-  b.wedged[p] = side > 0 and side or b.wedged[p]
+  b.wedged[p] = side
 end
 
 -- Notes that two overlapping bodies must be parted, if they are dynamic (see overlaps/overlap.lua).
@@ -78,7 +78,9 @@ local function deepContact(b, p, i, j)
     leaveInside(b, i, j)
     return 0
   end
-  wedge(b, p, i, j)
+  if b.wedged[p] == 0 then
+    wedge(b, p, i, j)
+  end
   local isWedged = b.wedged[p] ~= 0
   local areLeft = not isWedged or b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if areLeft and not (b.hasRound and ball.isRolling(b, b.to, i, j)) then
@@ -105,7 +107,6 @@ end
 -- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
   local side = sideOf(b, p, i, j)
-  b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     return deepContact(b, p, i, j)
   end

@@ -25,8 +25,9 @@
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
--- pushes: a plane begins with the last impulse of its pair (`lastImpulse`), of which passes take
--- back a part that is too much. So 16 passes are enough for a crowd that is 18 bodies deep.
+-- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `remember` in
+-- slant), of which passes take back a part that is too much. So 16 passes are enough for a heap
+-- that is 18 bodies deep.
 -- Only bodies that are connected with a new or violated plane are solved again. A solve presses
 -- several times: planes keep their pushes from call to call, rows of axis contacts begin at 0.
 -- Contacts along an axis are settled before and after.
@@ -53,11 +54,11 @@ local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Passes over the rows, and those after them in which the lower one does not give way.
 local PASSES, SHOCKS = 16, 6
--- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
+-- Factor of each push but the last ones, where there is no gravity: many are pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
 -- Slops, and px at most, by which passes may leave two in each other without gravity. Less is left
--- to later steps: after the first passes a few pairs of a large crowd are always a little too deep.
+-- to later steps: after the first passes a few pairs of very many are always a little too deep.
 -- (Without the bound large bodies stay 0.4 px in each other.)
 local LEFT, DEEPEST = 5, 0.12
 -- Share of its size by which a body is pushed, more than it moves.
@@ -160,22 +161,8 @@ end
 
 -- Passes ------------------------------------------------------------------------------------------
 
--- Returns by how much a push of 1 along a normal moves slot i, with its inverse masses ix, iy. A
--- body that is not pushable and that the game drives slides along walls, and along another such
--- body. A pushable body j, which something holds, only stops it on its way and does not turn it.
-local function motionOf(b, i, j, nx, ny, ix, iy)
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if not areDynamic or b.pushable[i] or not b.pushable[j] or not path.isDriven(b, i) then
-    return nx * ix, ny * iy
-  end
-  local x, y = b.freeSpeed[2 * i], b.freeSpeed[2 * i + 1]
-  local square = x * x + y * y
-  local share = square > 0 and (nx * x + ny * y) / square or 0.0
-  return share * x * ix, share * y * iy
-end
-
 -- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`sweep`
--- has it written out: with a call crowds of circles cost 9 % more without the trace compiler.)
+-- has it written out: with a call hundreds of circles cost 9 % more without the trace compiler.)
 local function pushApart(column, s, c, more)
   local k, m = 2 * s.one[c], 2 * s.other[c]
   column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]
@@ -199,8 +186,7 @@ local function weigh(b, isShock)
     elseif mayHold and share > ABOVE then
       ix, iy = 0.0, 0.0
     end
-    local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
-    local ex, ey = motionOf(b, j, i, nx, ny, jx, jy)
+    local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
     s.total[c] = nx * (dx + ex) + ny * (dy + ey)
     if s.start[c] ~= 0 then
@@ -302,12 +288,12 @@ end
 
 -- The end of the step -----------------------------------------------------------------------------
 
--- Limits how far dynamic slot i is pushed: a share of its size, and as far as it moves by itself.
+-- Limits how far dynamic slot i is pushed: a share of its size, and as far as its speed takes it.
 -- (A body between immovable ones would be pushed to and fro.)
 local function limit(b, i)
-  local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
-  local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
-  local most = FURTHEST * min(b.size[k], b.size[k + 1]) + max(x, -x, y, -y)
+  local k, to, origin, start, free = 2 * i, b.to, b.origin, b.start, b.freeSpeed
+  local fastest = max(path.largest(start, k), path.largest(free, k), path.largest(b.speed, k))
+  local most = FURTHEST * min(b.size[k], b.size[k + 1]) + fastest * b.dt
   for m = k, b.kind[i] == DYNAMIC and k + 1 or 0 do
     to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
   end
@@ -336,8 +322,7 @@ local function forgetJams(b)
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j = s.one[c], s.other[c]
-    local most = JAMMED * ball.smallest(b, i, j)
-    if depthOf(b, c) > most then
+    if depthOf(b, c) > JAMMED * ball.smallest(b, i, j) then
       s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
     end
   end
@@ -355,11 +340,12 @@ local function accelerate(b, k, tau, most)
   path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
 end
 
--- Notes that slot i was pushed.
+-- Notes that slot i was pushed, once.
 local function note(b, i)
-  local k, m, dt = 2 * i, 2 * i + 1, b.dt
-  b.deflectedAt[i] = b.solveStamp
-  if b.give[k] > 0 then
+  local k, m, dt, s = 2 * i, 2 * i + 1, b.dt, b.slants
+  local isNew = s.mark[i] ~= -s.stamp
+  s.mark[i], b.deflectedAt[i] = -s.stamp, b.solveStamp
+  if isNew and b.give[k] > 0 then
     local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
     local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
     accelerate(b, k, tau, most)
@@ -410,12 +396,16 @@ function press.run(b, ofAll)
   noteAll(b)
 end
 
+-- Returns whether body k has hardly moved on its axis, and hardly moves.
+local function isStill(b, k)
+  local rest = path.rest(b, k)
+  local x, u = b.to[k] - b.origin[k] - rest * b.dt, (b.speed[k] - rest) * b.dt
+  return max(x, -x, u, -u) <= EPSILON
+end
+
 -- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
 local function rest(b, i)
-  local k, m, speed = 2 * i, 2 * i + 1, b.speed
-  local x, y = path.motion(b, k), path.motion(b, m)
-  local u, v = (speed[k] - path.rest(b, k)) * b.dt, (speed[m] - path.rest(b, m)) * b.dt
-  if b.kind[i] == DYNAMIC and max(x, -x, y, -y, u, -u, v, -v) <= EPSILON then
+  if b.kind[i] == DYNAMIC and isStill(b, 2 * i) and isStill(b, 2 * i + 1) then
     path.putBack(b, i)
   end
 end
