@@ -7,8 +7,7 @@
 -- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
 --
 -- Reads area, position, velocity, pull, airFriction, drag; writes flowPull, flowAir, flowDrag and,
--- where a zone has a gravity of its own, down. Without zones they are what objects/readFields.lua
--- has written.
+-- where a zone has a gravity of its own, down. Without zones objects/readFields.lua writes them.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
