@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/memory", 841 },
   { "physics/motion", 989 },
   { "physics/narrowphase", 566 },
-  { "physics/objects", 1307 },
+  { "physics/objects", 1308 },
   { "physics/overlaps", 836 },
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
