@@ -182,6 +182,21 @@ local function pushApart(column, s, c, more)
   column[m], column[m + 1] = column[m] - more * s.ex[c], column[m + 1] - more * s.ey[c]
 end
 
+-- Returns the motion (x, y) of slot i by a push of row c without that into the wall of slot i, if it
+-- touches one, and slot j none. (In turns with the wall passes would come to that too slowly if j
+-- is heavy: the rest of the push would be left to passes in which i does not give way.)
+local function slide(b, c, i, j, x, y)
+  local s = b.slants
+  local wall = s.wallsAt[i] == s.stamp and s.wallsAt[j] ~= s.stamp and s.firstWall[i] or 0
+  if wall == 0 or wall == c or s.nextWall[wall] ~= 0 or depthOf(b, wall) < -EPSILON then
+    return x, y
+  end
+  local nx, ny = s.nx[wall], s.ny[wall]
+  local u = nx * x + ny * y
+  local isInto = (u < 0) == ((s.one[wall] == i) == (s.one[c] == i))
+  return isInto and x - u * nx or x, isInto and y - u * ny or y
+end
+
 -- Computes how the two bodies of each row give way, and pushes those apart that begin with an
 -- impulse of the last step. `isShock`: the lower body does not give way.
 local function weigh(b, isShock)
@@ -199,8 +214,8 @@ local function weigh(b, isShock)
     elseif mayHold and share > ABOVE then
       ix, iy = 0.0, 0.0
     end
-    local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
-    local ex, ey = motionOf(b, j, i, nx, ny, jx, jy)
+    local dx, dy = slide(b, c, i, j, motionOf(b, i, j, nx, ny, ix, iy))
+    local ex, ey = slide(b, c, j, i, motionOf(b, j, i, nx, ny, jx, jy))
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
     s.total[c] = nx * (dx + ex) + ny * (dy + ey)
     if s.start[c] ~= 0 then
@@ -432,10 +447,8 @@ function press.finish(b)
   end
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
-    if s.isFlush[c] then
-      rest(b, s.one[c])
-      rest(b, s.other[c])
-    end
+    rest(b, s.one[c])
+    rest(b, s.other[c])
   end
   pairFinder.run(b, b.awakeList, b.awakeCount)
   heap.spread(b, b.heapWork.inHeap, b.solveStamp)
