@@ -17,16 +17,14 @@
 --                       no farther than FURTHEST in all, on each axis (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
---                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
---                       give way and no push is taken back, so that a heap does not sink. FURTHEST
---                       does not apply, and which rows touch is not found anew.
---                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
+--                    4. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
 --                       noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
--- pushes: a plane begins with the last impulse of its pair (`lastImpulse`), of which passes take
--- back a part that is too much. So 16 passes are enough for a crowd that is 18 bodies deep.
+-- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `remember` in
+-- slant), of which passes take back a part that is too much. So 16 passes are enough for a heap
+-- that is 18 bodies deep.
 -- Only bodies that are connected with a new or violated plane are solved again. A solve presses
 -- several times: planes keep their pushes from call to call, rows of axis contacts begin at 0.
 -- Contacts along an axis are settled before and after.
@@ -51,13 +49,14 @@ local press = {}
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
--- Passes over the rows, and those after them in which the lower one does not give way.
-local PASSES, SHOCKS = 16, 6
--- Factor of each push but the last ones, where there is no gravity: a crowd is pressed from outside
+-- Passes over the rows. (More of them in which the lower body of a pair does not give way took
+-- momentum from marbles that are struck on a ramp, and shot light balls out from under heavy ones.)
+local PASSES = 20
+-- Factor of each push but the last ones, where there is no gravity: many are pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
 -- Slops, and px at most, by which passes may leave two in each other without gravity. Less is left
--- to later steps: after the first passes a few pairs of a large crowd are always a little too deep.
+-- to later steps: after the first passes a few pairs of very many are always a little too deep.
 -- (Without the bound large bodies stay 0.4 px in each other.)
 local LEFT, DEEPEST = 5, 0.12
 -- Share of its size by which a body is pushed, more than it moves.
@@ -65,8 +64,6 @@ local FURTHEST = 0.35
 -- Share of the smaller size that two are in each other after all passes, or would be in the next
 -- step, if there is no room.
 local JAMMED = 0.05
--- Share of a normal along gravity from which on one body of a pair is above the other.
-local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins; px/s, of rounding.
 local ROOM = 0.1
 
@@ -175,47 +172,23 @@ local function motionOf(b, i, j, nx, ny, ix, iy)
 end
 
 -- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`sweep`
--- has it written out: with a call crowds of circles cost 9 % more without the trace compiler.)
+-- has it written out: with a call hundreds of circles cost 9 % more without the trace compiler.)
 local function pushApart(column, s, c, more)
   local k, m = 2 * s.one[c], 2 * s.other[c]
   column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]
   column[m], column[m + 1] = column[m] - more * s.ex[c], column[m + 1] - more * s.ey[c]
 end
 
--- Returns the motion (x, y) of slot i by a push of row c without that into the wall of slot i, if it
--- touches one, and slot j none. (In turns with the wall passes would come to that too slowly if j
--- is heavy: the rest of the push would be left to passes in which i does not give way.)
-local function slide(b, c, i, j, x, y)
-  local s = b.slants
-  local wall = s.wallsAt[i] == s.stamp and s.wallsAt[j] ~= s.stamp and s.firstWall[i] or 0
-  if wall == 0 or wall == c or s.nextWall[wall] ~= 0 or depthOf(b, wall) < -EPSILON then
-    return x, y
-  end
-  local nx, ny = s.nx[wall], s.ny[wall]
-  local u = nx * x + ny * y
-  local isInto = (u < 0) == ((s.one[wall] == i) == (s.one[c] == i))
-  return isInto and x - u * nx or x, isInto and y - u * ny or y
-end
-
 -- Computes how the two bodies of each row give way, and pushes those apart that begin with an
--- impulse of the last step. `isShock`: the lower body does not give way.
-local function weigh(b, isShock)
-  local s, down, give = b.slants, b.down, b.give
+-- impulse of the last step.
+local function weigh(b)
+  local s = b.slants
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
-    local k, m = 2 * i, 2 * j
     local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
-    local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
-    local isInVice = s.viceAt[i] == b.solveStamp or s.viceAt[j] == b.solveStamp
-    local mayHold = isShock and give[k] > 0 and give[m] > 0 and not isInVice
-    if mayHold and share < -ABOVE then
-      jx, jy = 0.0, 0.0
-    elseif mayHold and share > ABOVE then
-      ix, iy = 0.0, 0.0
-    end
-    local dx, dy = slide(b, c, i, j, motionOf(b, i, j, nx, ny, ix, iy))
-    local ex, ey = slide(b, c, j, i, motionOf(b, j, i, nx, ny, jx, jy))
+    local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
+    local ex, ey = motionOf(b, j, i, nx, ny, jx, jy)
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
     s.total[c] = nx * (dx + ex) + ny * (dy + ey)
     if s.start[c] ~= 0 then
@@ -229,19 +202,19 @@ end
 
 -- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
 -- of each row so far. A row whose bodies have left each other again takes its push back.
-local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
+local function sweep(b, column, sum, isOfSpeeds)
   local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
   local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
-  for pass = 1, passCount do
-    local eager = pass < passCount - 1 and eagerness or 1.0
+  for pass = 1, PASSES do
+    local eager = pass < PASSES - 1 and eagerness or 1.0
     for n = 1, s.rows do
       local c = order[n]
       if total[c] > 0 and (not isOfSpeeds or isFlush[c] or sum[c] > 0) then
         local k, m = 2 * one[c], 2 * other[c]
         local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
         local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
-        local more = max(want, isShock and 0.0 or -sum[c])
+        local more = max(want, -sum[c])
         sum[c] = sum[c] + more
         if more ~= 0 then
           column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
@@ -370,11 +343,12 @@ local function accelerate(b, k, tau, most)
   path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
 end
 
--- Notes that slot i was pushed.
+-- Notes that slot i was pushed, once.
 local function note(b, i)
-  local k, m, dt = 2 * i, 2 * i + 1, b.dt
-  b.deflectedAt[i] = b.solveStamp
-  if b.give[k] > 0 then
+  local k, m, dt, s = 2 * i, 2 * i + 1, b.dt, b.slants
+  local isNew = s.mark[i] ~= -s.stamp
+  s.mark[i], b.deflectedAt[i] = -s.stamp, b.solveStamp
+  if isNew and b.give[k] > 0 then
     local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
     local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
     accelerate(b, k, tau, most)
@@ -398,18 +372,6 @@ local function noteAll(b)
   end
 end
 
--- Solves the places, then the speeds.
-local function solve(b, passCount, isShock)
-  weigh(b, isShock)
-  sweep(b, b.to, b.slants.push, passCount, false, isShock)
-  leaveWalls(b, b.to, false)
-  if not isShock then
-    findFlush(b)
-  end
-  sweep(b, b.speed, b.slants.impulse, passCount, true, isShock)
-  leaveWalls(b, b.speed, true)
-end
-
 --- Pushes all pairs apart that end nearer to each other than they may be.
 function press.run(b, ofAll)
   listRows(b, ofAll)
@@ -417,20 +379,26 @@ function press.run(b, ofAll)
     return
   end
   listWalls(b)
-  solve(b, PASSES, false)
-  if not b.isWeightless then
-    solve(b, SHOCKS, true)
-  end
+  weigh(b)
+  sweep(b, b.to, b.slants.push, false)
+  leaveWalls(b, b.to, false)
+  findFlush(b)
+  sweep(b, b.speed, b.slants.impulse, true)
+  leaveWalls(b, b.speed, true)
   forgetJams(b)
   noteAll(b)
 end
 
+-- Returns whether body k has hardly moved on its axis, and hardly moves.
+local function isStill(b, k)
+  local rest = path.rest(b, k)
+  local x, u = b.to[k] - b.origin[k] - rest * b.dt, (b.speed[k] - rest) * b.dt
+  return max(x, -x, u, -u) <= EPSILON
+end
+
 -- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
 local function rest(b, i)
-  local k, m, speed = 2 * i, 2 * i + 1, b.speed
-  local x, y = path.motion(b, k), path.motion(b, m)
-  local u, v = (speed[k] - path.rest(b, k)) * b.dt, (speed[m] - path.rest(b, m)) * b.dt
-  if b.kind[i] == DYNAMIC and max(x, -x, y, -y, u, -u, v, -v) <= EPSILON then
+  if b.kind[i] == DYNAMIC and isStill(b, 2 * i) and isStill(b, 2 * i + 1) then
     path.putBack(b, i)
   end
 end
