@@ -54,7 +54,7 @@ local function listParted(b, strays, count)
       local p = floor(half * 0.5 + 0.5)
       if contact(fatLow, fatHigh, 2 * pairA[p], 2 * pairB[p]) < 0 then
         local isNeeded = b.contact[p] ~= 0 or b.hit[p] ~= 0 or b.touches[p] ~= 0
-        if not (isNeeded or b.overlapping[p] or place[p] == LEAVING) then
+        if not (isNeeded or place[p] == LEAVING) then
           n = n + 1
           parted[n], place[p] = p, LEAVING
         end
@@ -260,7 +260,7 @@ end
 --- (`links.linkAll`).
 function pairFinder.listLive(b)
   local live, free, pairA, pairB, awakeAt = b.live, b.freePairs, b.pairA, b.pairB, b.awakeAt
-  local hit, pressed, passing, nudged = b.hit, b.pressed, b.passing, b.nudged
+  local hit, pressed, passing = b.hit, b.pressed, b.passing
   if b.liveAwakenings ~= b.awakenings then
     local count, freeCount = 0, 0
     for p = 1, b.pairSlots do
@@ -277,8 +277,8 @@ function pairFinder.listLive(b)
   for n = 1, b.liveCount do
     hit[live[n]], pressed[live[n]] = 0, 0
   end
-  for n = 1, (b.hasRules or b.hasAids) and b.liveCount or 0 do
-    passing[live[n]], nudged[live[n]] = false, 0
+  for n = 1, b.hasRules and b.liveCount or 0 do
+    passing[live[n]] = false
   end
 end
 

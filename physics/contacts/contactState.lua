@@ -5,7 +5,7 @@
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
 -- Reads to, position, hit, pressedAt, passing and others; writes contact,
--- overlapping, wedged, dropping, inside, news, and notes the events.
+-- wedged, dropping, inside, news, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
@@ -39,10 +39,6 @@ end
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
-  if b.deepWay[p] ~= 0 then
-    b.wedged[p] = b.deepWay[p]
-    return
-  end
   local position, size = b.position, b.size
   if b.hasShapes and touch.haveFaces(b, i, j) then
     local box, ramp = touch.order(b, i, j)
@@ -91,7 +87,9 @@ local function deepContact(b, p, i, j)
     leaveInside(b, i, j)
     return 0
   end
-  wedge(b, p, i, j)
+  if b.wedged[p] == 0 then
+    wedge(b, p, i, j)
+  end
   local isWedged = b.wedged[p] ~= 0
   local areLeft = not isWedged or b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if areLeft and not (b.hasRound and ball.isRolling(b, b.to, i, j)) then
@@ -118,7 +116,6 @@ end
 -- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
   local side = sideOf(b, p, i, j)
-  b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     return deepContact(b, p, i, j)
   end

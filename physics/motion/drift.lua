@@ -92,31 +92,30 @@ end
 local function list(b, work)
   local groups, n, from, size, fastest = b.registry.groups, 0, b.from, b.size, 0.0
   local sum, wide, high = 0.0, 0.0, constants.TINY
-  local name, row, most = nil, nil, 0.0
+  local name, row, most, groupName = nil, nil, 0.0, b.groupName
+  local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
   for m = 1, b.moverCount do
     local i = b.movers[m]
-    if b.groupName[i] ~= name then
-      name, row, most = b.groupName[i], b.soft[b.groupName[i]], 0.0
+    if groupName[i] ~= name then
+      name, row, most = groupName[i], b.soft[groupName[i]], 0.0
       for other = 1, row and #groups or 0 do
         most = max(most, row[groups[other].name] or 0)
       end
     end
     if row and b.active[i] and not b.sensor[i] then
+      local w, h = size[2 * i], size[2 * i + 1]
       n, fastest = n + 1, max(fastest, most)
       work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
-      sum = sum + size[2 * i] + size[2 * i + 1]
-      wide, high = max(wide, size[2 * i]), max(high, size[2 * i + 1])
+      sum, wide, high = sum + w + h, max(wide, w), max(high, h)
       local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
       work.plain[n] = isPlain and not (b.mask[i] or b.hitsOnly[i] or b.masks) and b.mass[i]
-      for axis = 0, 1 do
-        local half = size[2 * i + axis] * 0.5
-        work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
-        work.now[axis][n], work.last[axis][n] = 0.0, 0.0
-      end
+      halfX[n], halfY[n] = w * 0.5, h * 0.5
+      x[n], y[n] = from[2 * i] + halfX[n], from[2 * i + 1] + halfY[n]
     end
   end
   for at = 1, n ~= work.count and n or 0 do
-    work.sorted[at] = at
+    work.sorted[at], work.now[0][at], work.now[1][at] = at, 0.0, 0.0
+    work.last[0][at], work.last[1][at] = 0.0, 0.0
   end
   work.widest, work.highest = wide, high
   work.count, work.fastest, work.meanSize = n, fastest, max(sum, constants.TINY) / max(2 * n, 1)
@@ -138,12 +137,15 @@ end
 -- part, if they are soft to each other and no mask refuses it. Returns how many pairs there are
 -- now. (Most bodies are alike: asking the masks of all would make a step a twentieth longer.)
 local function addPair(b, work, count, m, n)
-  local i, j, plain = work.slot[m], work.slot[n], work.plain
-  local areAlike, speed = plain[m] and plain[m] == plain[n], work.row[m][work.name[n]]
+  local i, j, mass, speed = work.slot[m], work.slot[n], work.plain[m], work.row[m][work.name[n]]
+  local areAlike = mass and mass == work.plain[n]
   if speed and (areAlike or not (filter.refusal(b, i, j) or filter.refusal(b, j, i))) then
     count = count + 1
     work.one[count], work.other[count], work.partSpeed[count] = m, n, speed
-    work.shareOne[count], work.shareOther[count] = weigh(b, i, j)
+    work.shareOne[count], work.shareOther[count] = 0.5, 0.5
+    if not areAlike then
+      work.shareOne[count], work.shareOther[count] = weigh(b, i, j)
+    end
   end
   return count
 end
@@ -169,9 +171,9 @@ local function findNear(b, work, near)
       n = sorted[below]
     end
     for r = 0, 1 do
-      local q = r == 0 and p + 1 or below
+      local q, line = r == 0 and p + 1 or below, row[m] + r
       n = sorted[q]
-      while row[n] == row[m] + r and left[n] < right do
+      while row[n] == line and left[n] < right do
         local dx, dy = x[n] - x[m], y[n] - y[m]
         local w, h = halfX[m] + halfX[n] + near, halfY[m] + halfY[n] + near
         if dy < h and -dy < h and dx < w and -dx < w then
@@ -193,24 +195,30 @@ local function wayOf(b, i, j)
   return WAYS_X[at] * sign * NEAREST, WAYS_Y[at] * sign * NEAREST
 end
 
--- Adds the velocity of each pair to both of its bodies.
+-- Adds the velocity of each pair that overlaps to both of its bodies.
 local function push(b, work, count)
   local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
   local nowX, nowY, one, other, rounding = work.now[0], work.now[1], work.one, work.other, ROUNDING
+  local speed, shareOne, shareOther = work.partSpeed, work.shareOne, work.shareOther
   for c = 1, count do
-    local m, n, shareOne, shareOther = one[c], other[c], work.shareOne[c], work.shareOther[c]
+    local m, n = one[c], other[c]
     local dx, dy = (x[n] - x[m]) / (halfX[m] + halfX[n]), (y[n] - y[m]) / (halfY[m] + halfY[n])
     local far = max(dx, -dx, dy, -dy)
-    if far < NEAREST then
-      dx, dy = wayOf(b, work.slot[m], work.slot[n])
-      far = NEAREST
+    if far < 1 then
+      if far < NEAREST then
+        dx, dy = wayOf(b, work.slot[m], work.slot[n])
+        far = NEAREST
+      end
+      local v, share = speed[c] * (1 / far - 1), shareOne[c]
+      dx, dy = v * dx, v * dy
+      local vx, vy = dx * share + rounding - rounding, dy * share + rounding - rounding
+      nowX[m], nowY[m] = nowX[m] - vx, nowY[m] - vy
+      if shareOther[c] ~= share then
+        share = shareOther[c]
+        vx, vy = dx * share + rounding - rounding, dy * share + rounding - rounding
+      end
+      nowX[n], nowY[n] = nowX[n] + vx, nowY[n] + vy
     end
-    local v = work.partSpeed[c] * max(1 / far - 1, 0.0)
-    local vx, vy = v * dx, v * dy
-    nowX[m] = nowX[m] - (vx * shareOne + rounding - rounding)
-    nowY[m] = nowY[m] - (vy * shareOne + rounding - rounding)
-    nowX[n] = nowX[n] + (vx * shareOther + rounding - rounding)
-    nowY[n] = nowY[n] + (vy * shareOther + rounding - rounding)
   end
 end
 
@@ -237,31 +245,43 @@ end
 -- place where it comes to stand. A body that stands on something drifts across gravity only: it is
 -- not lifted off the ground.
 local function listDrifted(b, work)
-  local softSpeed, velocity = b.softSpeed, b.velocity
+  local softSpeed, velocity, down, support = b.softSpeed, b.velocity, b.down, b.support
+  local count = 0
   for n = 1, work.count do
     local i = work.slot[n]
-    if softSpeed[2 * i] ~= 0 or softSpeed[2 * i + 1] ~= 0 then
-      b.driftedCount = b.driftedCount + 1
-      work.drifted[b.driftedCount] = i
+    local k, m = 2 * i, 2 * i + 1
+    if softSpeed[k] ~= 0 or softSpeed[m] ~= 0 then
+      count = count + 1
+      work.drifted[count] = i
       islands.wake(b, i)
-    end
-    local vx, vy = velocity[2 * i], velocity[2 * i + 1]
-    local own = max(vx, -vx, vy, -vy)
-    for k = 2 * i, 2 * i + 1 do
-      local left = velocity[k] + softSpeed[k]
-      local speed = max(left, -left)
-      if softSpeed[k] * velocity[k] < 0 and speed < own then
-        softSpeed[k] = left * speed / own - velocity[k]
-      end
-      if b.support[i] ~= 0 and b.down[k] ~= 0 then
-        softSpeed[k] = 0
+      local own = max(velocity[k], -velocity[k], velocity[m], -velocity[m])
+      for at = k, m do
+        local left = velocity[at] + softSpeed[at]
+        if softSpeed[at] * velocity[at] < 0 and max(left, -left) < own then
+          softSpeed[at] = left * max(left, -left) / own - velocity[at]
+        end
+        if down[at] ~= 0 and support[i] ~= 0 then
+          softSpeed[at] = 0
+        end
       end
     end
   end
+  b.driftedCount = count
 end
 
--- Finds the drift of the listed bodies in a step of dt s.
-local function find(b, work, dt)
+--- Finds the drift of all bodies that overlap bodies to which they are soft, in a step of dt s.
+function drift.run(b, dt)
+  b.drifts = b.drifts or newWork()
+  local work, softSpeed = b.drifts, b.softSpeed
+  for n = 1, b.driftedCount do
+    local k = 2 * work.drifted[n]
+    softSpeed[k], softSpeed[k + 1] = 0, 0
+  end
+  b.driftedCount = 0
+  if not b.soft then
+    return
+  end
+  list(b, work)
   local displacement, own = work.fastest * dt, 0.0
   local count, each = findNear(b, work, NEAR * displacement)
   local parts = min(ceil(sqrt(displacement / work.meanSize * each + 0.25) - 0.5), MOST_PARTS)
@@ -274,29 +294,15 @@ local function find(b, work, dt)
   listDrifted(b, work)
 end
 
---- Finds the drift of all bodies that overlap bodies to which they are soft, in a step of dt s.
-function drift.run(b, dt)
-  b.drifts = b.drifts or newWork()
-  local work = b.drifts
-  for n = 1, b.driftedCount do
-    local k = 2 * work.drifted[n]
-    b.softSpeed[k], b.softSpeed[k + 1] = 0, 0
-  end
-  b.driftedCount = 0
-  if b.soft then
-    list(b, work)
-    find(b, work, dt)
-  end
-end
-
 --- Lets the drift carry its bodies in this step, as a carrier does.
 function drift.add(b)
-  local work = b.drifts
+  local before, gift, softSpeed, carried = b.drifts.speed, b.drifts.carried, b.softSpeed, b.carried
+  local speed, hasCarriers = b.speed, b.hasCarriers
   for n = 1, b.driftedCount do
-    local i = work.drifted[n]
-    for k = 2 * i, 2 * i + 1 do
-      work.speed[k], work.carried[k] = b.speed[k] + b.carried[k], b.carried[k]
-      b.carried[k] = b.carried[k] + b.softSpeed[k]
+    local k = 2 * b.drifts.drifted[n]
+    for at = k, k + 1 do
+      local v = hasCarriers and carried[at] or 0
+      before[at], gift[at], carried[at] = speed[at] + v, v, v + softSpeed[at]
     end
   end
 end
@@ -305,13 +311,13 @@ end
 --- middle one of three: its speed at the end of the step, its own velocity, and that with the
 --- change of speed in the step.
 function drift.takeOff(b)
-  local work = b.drifts
+  local before, gift, speed, freeSpeed = b.drifts.speed, b.drifts.carried, b.speed, b.freeSpeed
   for n = 1, b.driftedCount do
-    local i = work.drifted[n]
-    for k = 2 * i, 2 * i + 1 do
-      local own, change = work.speed[k], b.speed[k] - b.freeSpeed[k]
-      b.speed[k] = max(min(own, own + change), min(b.speed[k], max(own, own + change)))
-      b.carried[k] = work.carried[k]
+    local k = 2 * b.drifts.drifted[n]
+    for at = k, k + 1 do
+      local own, change = before[at], speed[at] - freeSpeed[at]
+      speed[at] = max(min(own, own + change), min(speed[at], max(own, own + change)))
+      b.carried[at] = gift[at]
     end
   end
 end

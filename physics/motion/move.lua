@@ -87,20 +87,28 @@ local function carry(b, dt)
   end
 end
 
--- Adds to the flight of body k that of its carrier, and holds a buried body where it is, and a
+-- Adds to the flight of each body that of its carrier, and holds a buried body where it is, and a
 -- crowd that would fall.
-local function ride(b, k, isBuried, isCrowd, dt)
-  local carried = b.carried[k]
-  b.start[k], b.onset[k] = b.start[k] + carried, b.start[k] + carried
-  path.add(b, k, carried * dt, carried)
-  if isBuried then
-    b.give[k], b.held[2 * k + 1], b.held[2 * k + 2] = 0, FAR, FAR
-    path.finish(b, k, b.from[k], 0.0, 0.0)
-  elseif isCrowd and b.speed[k] * b.down[k] > 0 then
-    b.displacement[k] = 0.0
-    path.finish(b, k, b.from[k], carried, 0.0)
+local function ride(b, dt)
+  local list, kind, carried, accel, to = b.awakeList, b.kind, b.carried, b.accel, b.to
+  local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local isBuried, isCrowd = b.buried[i], b.crowd[2 * i] > 0
+    for k = 2 * i, kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+      local gift = carried[k]
+      local v = start[k] + gift
+      start[k], onset[k], speed[k], to[k] = v, v, speed[k] + gift, to[k] + gift * dt
+      if isBuried then
+        b.give[k], b.held[2 * k + 1], b.held[2 * k + 2] = 0, FAR, FAR
+        path.finish(b, k, b.from[k], 0.0, 0.0)
+      elseif isCrowd and speed[k] * b.down[k] > 0 then
+        b.displacement[k] = 0.0
+        path.finish(b, k, b.from[k], gift, 0.0)
+      end
+      freeSpeed[k], accel[k] = speed[k], (speed[k] - v) / dt
+    end
   end
-  b.freeSpeed[k], b.accel[k] = b.speed[k], (b.speed[k] - b.start[k]) / dt
 end
 
 --- Gives a path to each awake body. The solver may wake others: then all are computed anew.
@@ -110,18 +118,14 @@ function move.run(b, dt)
     zones.run(b, b.awakeList, b.awakeCount, dt * 0.5)
   end
   fly(b, dt)
-  local isCarried = b.hasCarriers or b.driftedCount > 0
-  if isCarried then
+  if b.hasCarriers then
     carry(b, dt)
   end
   if b.driftedCount > 0 then
     drift.add(b)
   end
-  for n = 1, (isCarried or b.hasOverlaps) and b.awakeCount or 0 do
-    local i = b.awakeList[n]
-    for k = 2 * i, b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
-      ride(b, k, b.buried[i], b.crowd[2 * i] > 0, dt)
-    end
+  if b.hasCarriers or b.driftedCount > 0 or b.hasOverlaps then
+    ride(b, dt)
   end
 end
 

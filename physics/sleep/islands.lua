@@ -13,9 +13,9 @@
 -- that do not move.
 --
 -- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step
--- has changed no bit of its place and velocity, it has no speed and no way left, and `hasNews`
--- there finds none of these notes. At the end of the step `mustStayAwake` says whether it is not
--- quiet.
+-- has changed no bit of its place and velocity, its speed is 0 (or was, if it is dynamic, at the
+-- start), no way is left, and `hasNews` there finds none of these notes. At the end of the step
+-- `mustStayAwake` says whether it is not quiet.
 --
 --     mustStayAwake  a contact that is new or bounces (`contactState.update`, `ball.impact`,
 --                    `together.run`); another support or carrier, a hit of this update (write); a
@@ -27,9 +27,9 @@
 --     isPolled       one of its contacts asks for `onStay` (events) or `canCollide` (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
 --
--- `islands.settle` puts an island to sleep if all its bodies are quiet, its kinematic neighbours,
--- too (`gather`), and the step is not below `islands.SHORTEST`. (`step.lua` asks for that where the
--- setting `rest` allows it.)
+-- `islands.settle` puts an island to sleep if all its bodies are quiet, its awake kinematic
+-- neighbours, too (`gather`), and the step is not below `islands.SHORTEST`. (`step.lua` asks for
+-- that where the setting `rest` allows it.)
 --
 -- Waking: everything that could end the fixed point wakes the whole island first
 -- (`islands.wake`), before it has an effect:
@@ -69,13 +69,11 @@ end
 --- The list of awake bodies is the queue of this flood fill.
 function islands.wake(b, i)
   local list, kind, awakeAt = b.awakeList, b.kind, b.awakeAt
-  if kind[i] == STATIC or not b.active[i] then
+  if kind[i] == STATIC or awakeAt[i] > 0 or not b.active[i] then
     return
   end
   local n = b.awakeCount + 1
-  if awakeAt[i] == 0 then
-    rouse(b, i)
-  end
+  rouse(b, i)
   while n <= b.awakeCount do
     for _, j in neighbours(b, list[n]) do
       if kind[j] == DYNAMIC and awakeAt[j] == 0 then

@@ -15,8 +15,8 @@
 -- them. If two faces close on each other, the box is left to `squeeze` in settle.lua: machines do
 -- crush.
 --
--- A box that was clipped gives way nowhere in this step. Others that are in its way are clipped,
--- too: it is a wall for them, but only towards the sides on which faces stop it.
+-- A box that was clipped is pushed nowhere in this step. Others that are in its way are clipped,
+-- too: it is a wall for them, but only on the sides on which faces stop it (not `loose`).
 --
 -- Walls are found one by one: the nearest point (space/planes.lua), the wall in which the box would
 -- be deepest there, its face, and again, at most MOST times. If there is no such point, fewer walls
@@ -66,9 +66,9 @@ local function speedAlong(b, n, m)
   return nx[m] * b.speed[k] + ny[m] * b.speed[k + 1]
 end
 
--- Returns whether half-planes n and m (0: none) close on each other: each moves along the normal
--- of the other one. (A train under a ceiling goes along its own face: it closes on nothing.) If not
--- all walls count, whether one of them moves: then it closes on those that do not.
+-- Returns whether half-planes n and m (0: none) close on each other, or part: each moves along the
+-- normal of the other one. (A train under a ceiling goes along its own face: it closes on nothing.)
+-- If not all walls count, whether one of them moves: then it closes on those that do not.
 local function areClosing(b, n, m)
   if counting > ALL then
     return n > 0 and speedAlong(b, n, n) > STILL or m > 0 and speedAlong(b, m, m) > STILL
@@ -96,9 +96,9 @@ local function spread(b, list, sign)
   end
 end
 
--- Notes how far each body can go along an axis until it meets a wall, directly or through other
--- bodies, and which wall that is. (Bodies that are squeezed are in each other. One that was clipped
--- is a wall where faces stop it, and gives way to its other side.)
+-- Notes the furthest place (`room`, px) to which each body can go along an axis until it meets a
+-- wall, directly or through other bodies, and which wall that is. (Bodies that are squeezed are in
+-- each other. One that was clipped is a wall where faces stop it, and gives way to its other side.)
 local function findRoom(b, axis)
   local list, work = b.contacts[axis], b.clipWork
   for c = 1, list.count do
@@ -162,7 +162,8 @@ end
 
 -- Adds the half-plane of slot j: that of the face which box i was in front of at moment t, when it
 -- was at (x, y). Returns whether it was. (The face goes where slot j goes.) If the two touch
--- (`isTouched`), an edge on which the box walks does not count: the box may pass its crest.
+-- (`isTouched`), only such a face counts, and no edge on which the box walks: it may pass its
+-- crest.
 local function addFace(b, i, j, x, y, t, isTouched)
   local gap, faceX, faceY, isEdge = face(b, i, j, x, y, t)
   local m, start, to, isBefore = 2 * j, b.time[j], b.to, gap >= -2 * EPSILON
@@ -281,7 +282,7 @@ local function areCaught(b, p, i, j)
   return isClipped and mayMeet and boxes.gap(b, b.to, i, j) < -EPSILON
 end
 
--- Returns whether box i has a slope beside it, and is in that, or squeezed.
+-- Returns whether box i is in a slope, or squeezed beside one, or in a body that was clipped.
 local function isSqueezed(b, i)
   local k, to = 2 * i, b.to
   local isCaught = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0
@@ -298,8 +299,8 @@ local function isSqueezed(b, i)
   return false
 end
 
--- Clips the way of box i. Returns whether it could: a box that machines press is only kept out of
--- static objects.
+-- Clips the way of box i. Returns whether it could: a box that machines press is only put in
+-- front of static objects, and keeps its speed.
 local function clipOne(b, i)
   for n = ALL, FIXED do
     counting = n

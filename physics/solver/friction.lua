@@ -36,7 +36,7 @@
 -- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
 -- `hint = "hasFriction"`, and one line in `friction.coefficient`: all four places ask that. It must
 -- not depend on which of the two bodies comes first. Slanted contacts (a ball on a slope, on a
--- corner, on a ball) have no friction: see press.lua.
+-- corner, on a ball) have none: see ARCHITECTURE, friction.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
@@ -151,7 +151,7 @@ local function addGround(b, k, base, mu, load, weight, dt)
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
   local drag = b.base[k] == base and b.grip[k] or 0 -- that acts like friction of this ground
-  b.base[k], b.grip[k], b.rough[k] = base, weight / dt + drag, mu
+  b.base[k], b.grip[k] = base, weight / dt + drag
   flow.notePulled(b, k)
 end
 
@@ -210,10 +210,12 @@ function friction.run(b, axis, dt)
     end
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
-    settle.hold(b, rubbed, dt)
+    local areLeft = settle.hold(b, rubbed, dt)
     isGlued = bonds.glue(b, held, dt)
-    settle.finish(b, rubbed, dt, isGlued, false)
-    local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
+    if areLeft or isGlued then
+      settle.finish(b, rubbed, dt, false)
+    end
+    local mayChange = attempt < ATTEMPTS and (areLeft or isGlued or held.hasSlips)
     if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end

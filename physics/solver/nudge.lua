@@ -11,8 +11,8 @@
 -- does not move the other way by itself, and if the place is free (`mayGo`, `try`). A hit on the
 -- side towards gravity is not corrected, or bodies would slip off the edges on which they stand.
 --
--- Another body may push it back, so that it hits the same corner again: a pair is corrected at most
--- MOST times in a step.
+-- Another body may push it back, so that it hits the same corner again: in the last round of a step
+-- a hit is not corrected.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")
@@ -25,8 +25,6 @@ local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local floor, max = math.floor, math.max
 -- px by which the tested place is further on, towards the body that is hit.
 local AHEAD = 1e-3
---- Maximum number of corrections of one pair in a step.
-nudge.MOST = 4
 
 -- Returns how far, px, and to which side (its sign) slot i must go along the other axis to pass j
 -- at moment t.
@@ -49,7 +47,7 @@ end
 -- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t, if the
 -- place beside j is free. A hit on the side to which gravity presses i is left alone. Returns
 -- whether slot i was moved.
-local function try(b, p, i, j, axis, iIsLow, t)
+local function try(b, i, j, axis, iIsLow, t)
   local k = 2 * i + 1 - axis
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
     return false
@@ -75,15 +73,13 @@ local function try(b, p, i, j, axis, iIsLow, t)
   end
   path.advance(b, i, t)
   path.shift(b, k, distance)
-  b.nudged[p] = b.nudged[p] + 1
   return true
 end
 
 --- Moves slot `low` past a corner of slot `high`, or slot `high` past a corner of slot `low`. They
---- are pair p, and meet on `axis` at moment t. Returns whether a body was moved.
-function nudge.correct(b, p, low, high, axis, t)
-  return b.nudged[p] < nudge.MOST
-    and (try(b, p, low, high, axis, true, t) or try(b, p, high, low, axis, false, t))
+--- meet on `axis` at moment t. Returns whether a body was moved.
+function nudge.correct(b, low, high, axis, t)
+  return try(b, low, high, axis, true, t) or try(b, high, low, axis, false, t)
 end
 
 --- Moves bodies past the corners that they touch at the start of the step and press against now
@@ -94,10 +90,10 @@ function nudge.run(b)
     local list, size, pressed = b.contacts[axis], b.size, b.pressed
     local low, high, separation, pair = list.low, list.high, list.separation, list.pair
     for c = 1, list.count do
-      local kl, kh, p = low[c], high[c], pair[c]
-      if pressed[p] == 1 and separation[c] == size[kl] then
+      local kl, kh = low[c], high[c]
+      if pressed[pair[c]] == 1 and separation[c] == size[kl] then
         local i, j = floor(kl * 0.5), floor(kh * 0.5)
-        hasMoved = nudge.correct(b, p, i, j, axis, 0) or hasMoved
+        hasMoved = nudge.correct(b, i, j, axis, 0) or hasMoved
       end
     end
   end

@@ -22,7 +22,6 @@ local ball = require(root .. ".narrowphase.ball")
 local boxes = require(root .. ".space.boxes")
 local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
-local crowd = require(root .. ".overlaps.crowd")
 local heap = require(root .. ".overlaps.heap")
 local impact = require(root .. ".solver.impact")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -112,8 +111,11 @@ end
 
 -- Returns whether two bodies that close at u px/s are left to an impact.
 local function isElastic(b, i, j, u)
+  if yielding.elasticity(b, i, j) == 0 then
+    return false
+  end
   local pull = max(path.largest(b.pull, 2 * i), path.largest(b.pull, 2 * j))
-  return yielding.elasticity(b, i, j) > 0 and (pull == 0 or u > 2 * b.dt * pull)
+  return pull == 0 or u > 2 * b.dt * pull
 end
 
 -- Returns whether slot i or slot j is round, and they can press each other.
@@ -190,8 +192,9 @@ function slant.takes(b, p)
   return true
 end
 
--- Returns when the two of pair p meet on their paths (1: they are only near), the normal there, and
--- px to there; nil: they do not, or they are in each other.
+-- Returns when two bodies meet on their paths (1: they are only near), the normal there, and px to
+-- there; nil: they do not, or they are in each other. (They are convex: to meet they must close
+-- their gap along its normal.)
 local function meeting(b, i, j)
   local size, from, to, shape, k, m = b.size, b.from, b.to, b.shape, 2 * i, 2 * j
   local x, y, ox, oy = from[k], from[k + 1], from[m], from[m + 1]
@@ -201,16 +204,18 @@ local function meeting(b, i, j)
   if boxes.gap(b, from, i, j) > max(distance, near) then
     return nil
   end
-  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
-  shapes.setPair(shape[i], x, y, w, h, shape[j], ox, oy, ow, oh)
-  local share, nx, ny, _, isDeep = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
-  if share then
-    return not isDeep and share or nil, nx, ny, -share * (dx * nx + dy * ny)
+  local gap, nx, ny = gapIn(b, from, i, j)
+  if gap >= -EPSILON and -nx * dx - ny * dy > gap then
+    local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+    shapes.setPair(shape[i], x, y, w, h, shape[j], ox, oy, ow, oh)
+    local share, itsX, itsY, _, isDeep = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
+    if share then
+      return not isDeep and share or nil, itsX, itsY, -share * (dx * itsX + dy * itsY)
+    end
   end
-  local gap, normalX, normalY = gapIn(b, from, i, j)
   local isIn = gap < -EPSILON or gap > near or distance > SLOW * smallest
   local areLoose = b.give[k] > 0 and b.give[m] > 0
-  return areLoose and not isIn and 1.0 or nil, normalX, normalY, max(gap, 0.0)
+  return areLoose and not isIn and 1.0 or nil, nx, ny, max(gap, 0.0)
 end
 
 -- Makes a plane of pair p if it is apart and will meet slanted, or is near and slow. Returns
@@ -218,12 +223,12 @@ end
 local function findPair(b, p)
   local i, j = slotsOf(b, p)
   local hasTurned = b.time[i] > 0 or b.time[j] > 0 or b.pieceLast[i] > 0 or b.pieceLast[j] > 0
-  if hasTurned or isElastic(b, i, j, -huge) or not heap.mayPush(b, p, i, j) then
+  local time, nx, ny, gap = meeting(b, i, j)
+  if not time or hasTurned or not (mayPress(b, i, j) and heap.mayPush(b, p, i, j)) then
     return false
   end
-  local time, nx, ny, gap = meeting(b, i, j)
-  local u = time and -along(b.speed, i, j, nx, ny)
-  if not time or isElastic(b, i, j, u) or passes(b, p, i, j, nx, ny, false) then
+  local u = -along(b.speed, i, j, nx, ny)
+  if isElastic(b, i, j, u) or passes(b, p, i, j, nx, ny, false) then
     return false
   end
   local least = along(b.from, i, j, nx, ny) - gap
@@ -242,8 +247,8 @@ function slant.find(b, isFirst)
     local p = live[n]
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
-    local isOpen = touches[p] == APART and not (waits or b.hasOverlaps and crowd.isGhost(b, i, j))
-    hasNew = isOpen and mayPress(b, i, j) and findPair(b, p) or hasNew
+    local isOpen = touches[p] == APART and not waits and ball.isRound(b, i, j)
+    hasNew = isOpen and not isElastic(b, i, j, -huge) and findPair(b, p) or hasNew
   end
   return hasNew
 end
@@ -284,9 +289,10 @@ local function isStill(b, i)
   return to[k] == position[k] and to[k + 1] == position[k + 1]
 end
 
--- Remembers with which impulses the pairs press each other: the next step begins with these. (A
--- pair that lies still keeps its own, so that an island at rest does not change.)
-local function remember(b)
+--- Notes the hits of pairs that begin to touch in this step, and forgets those that did not come to
+--- that; and with which impulses pairs press each other: the next step begins with these. (A pair
+--- that lies still keeps its own, so that an island at rest does not change.)
+function slant.tell(b)
   local s, last, live, touches = b.slants, b.lastImpulse, b.live, b.touches
   for n = 1, b.liveCount do
     if touches[live[n]] ~= SLANTED then
@@ -294,20 +300,10 @@ local function remember(b)
     end
   end
   for c = 1, s.count do
-    local i, j = s.one[c], s.other[c]
-    if not (isStill(b, i) and isStill(b, j)) then
-      last[s.pair[c]] = s.isFlush[c] and s.impulse[c] or 0.0
-    end
-  end
-end
-
---- Notes the hits of pairs that begin to touch in this step, and forgets those that did not come to
---- that; and how strongly they press each other.
-function slant.tell(b)
-  local s = b.slants
-  remember(b)
-  for c = 1, s.count do
     local p = s.pair[c]
+    if not (isStill(b, s.one[c]) and isStill(b, s.other[c])) then
+      last[p] = s.isFlush[c] and s.impulse[c] or 0.0
+    end
     if s.isFlush[c] then
       b.resolved = b.resolved + 1
       if b.contact[p] == 0 then

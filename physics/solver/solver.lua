@@ -5,16 +5,17 @@
 -- The stages are in `solve`:
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
--- 3. Rounds: sweep, resolve the first impacts (`rounds`), settle again (`settleLate`).
+-- 3. Rounds: sweep, resolve the first impacts (`rounds`), settle again (`settleLate`). Boxes that
+--    slopes squeeze are clipped (`clip`), with rounds again.
 -- 4. Limit the motion of overlapping bodies (`bounds`), lower bodies with the ground (`snap`), note
 --    which bodies are pressed and which are crushed (`notePressed`).
 --
 -- Where there are slopes, boxes follow the ground (`walk`) after 2. and after each round. Where
 -- there are circles, their slanted contacts are solved (`press`) at the same places.
 --
--- A stage only changes where paths end and how fast (`to`, `speed`, `accel`); impacts and nudges
--- also change where and when they begin (`from`, `time`). Every later stage starts from that state,
--- so the last word is with the last stage: with walls in `bounds`.
+-- A stage only changes where paths end and how fast (`to`, `speed`, `accel`); impacts, nudges and
+-- clips also change where and when they begin (`from`, `time`). Every later stage starts from that
+-- state, so the last word is with the last stage: with walls in `bounds`.
 --
 -- A step is bounded. It has at most ROUNDS rounds, in each of which a body takes part in one
 -- impact. Each round makes a fixed number of passes over the contacts. Work that cannot be finished
@@ -54,8 +55,8 @@ local LATE = 12
 local RESTARTS = 8
 -- How often boxes are clipped: one that was stopped is in the way of others.
 local CLIPS = 8
--- How often slanted contacts are solved before the first round.
-local PRESSES = 3
+-- How often slanted contacts are solved, and corners corrected, before the first round.
+local PRESSES, NUDGES = 3, 4
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
@@ -81,7 +82,7 @@ end
 
 -- Nudges bodies that are pressed against a corner, and settles again from their new places.
 local function nudgeTouching(b, dt)
-  for _ = 1, nudge.MOST do
+  for _ = 1, NUDGES do
     if not nudge.run(b) then
       return
     end
@@ -93,12 +94,12 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles the bodies that are connected with violated contacts, follows the ground, and looks up
--- the neighbours of the new paths. `isFirst`: before the first round.
-local function settleLate(b, dt, isFirst)
-  settle.again(b, b.downAxis, dt)
-  settle.again(b, 1 - b.downAxis, dt)
-  b.mustSettle = false
+-- Settles the bodies that are connected with violated contacts, or all (`ofAll`), follows the
+-- ground, and looks up the neighbours of the new paths. `isFirst`: before the first round.
+local function settleLate(b, dt, isFirst, ofAll)
+  local settleAxis = ofAll and settle.axis or settle.again
+  settleAxis(b, b.contacts[b.downAxis], dt, true)
+  settleAxis(b, b.contacts[1 - b.downAxis], dt, true)
   rounds.findChanged(b)
   if b.walks then
     walk.run(b, dt, isFirst)
@@ -114,8 +115,7 @@ local function pressRound(b, dt, isFirst)
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
-      b.mustSettle = true -- so that contacts are exactly flush again
-      settleLate(b, dt, false)
+      settleLate(b, dt, false, true) -- so that contacts are exactly flush again
     elseif n > 1 or not isFirst then
       return
     end
@@ -125,7 +125,7 @@ end
 -- Makes the stages before the first round: settles the bodies that touch when the step begins,
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
-  b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
+  b.solveStamp, b.isTight = b.solveStamp + 1, false
   b.blockedCount, b.changedCount, b.dirtyStamp = 0, 0, b.dirtyStamp + 1
   b.contacts[0].isFresh, b.contacts[1].isFresh = true, true
   flow.begin(b)
@@ -137,7 +137,7 @@ local function prepare(b, dt)
   if b.hasAids then
     nudgeTouching(b, dt)
   end
-  settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
+  settleLate(b, dt, true, false) -- friction, or crushed circles, may have violated other contacts
   pressRound(b, dt, true)
 end
 
@@ -153,7 +153,7 @@ local function runRounds(b, dt, awakenings)
     if b.walks then
       walk.run(b, dt, false)
     end
-    settleLate(b, dt, false)
+    settleLate(b, dt, false, false)
     pressRound(b, dt, false)
   end
   return b.overlapCount > 0 or b.isTight

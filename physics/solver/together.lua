@@ -31,7 +31,7 @@ local yielding = require(root .. ".narrowphase.yielding")
 local together = {}
 
 local max = math.max
--- Passes over the pairs at most, and the share of a velocity by which the last one may change it.
+-- Passes over the pairs at most; share of the largest impulse by which the last one changes any.
 local PASSES, LEAST = 200, 1e-13
 
 -- Returns empty lists for the impacts that happen together.
@@ -56,7 +56,8 @@ local function newList()
   }
 end
 
--- Returns whether impact n is one of round bodies that may bounce, and nothing has changed it.
+-- Returns whether impact n may join: both are solid, one is round, they may bounce, are not deep,
+-- and nothing has changed them. (The first impact of a list: `happen` in rounds.)
 local function mayJoin(b, n)
   local impacts, round = b.impacts, b.roundStamp
   local i, j, p, axis = impacts.low[n], impacts.high[n], impacts.pair[n], impacts.axis[n]
@@ -96,7 +97,7 @@ local function gather(b, list, n)
 end
 
 -- Brings the bodies of each impact to their places at moment t, tau s before the end of the step,
--- and notes their velocities there, how they give way, and whether they bounce.
+-- and notes their velocities there, how they give way, whether they bounce, and the hits.
 local function prepare(b, list, t, tau)
   local impacts, dt = b.impacts, b.dt
   for n = 1, list.count do
@@ -129,16 +130,16 @@ end
 local function solve(b, list)
   local impacts, vx, vy = b.impacts, list.vx, list.vy
   for _ = 1, PASSES do
-    local most, fastest = 0.0, 0.0
+    local most, largest = 0.0, 0.0
     for n = 1, list.count do
       local i, j = impacts.low[list.impact[n]], impacts.high[list.impact[n]]
       local u = (vx[j] - vx[i]) * list.nx[n] + (vy[j] - vy[i]) * list.ny[n]
       local more = list.total[n] > 0 and max(u / list.total[n], -list.impulse[n]) or 0.0
       list.impulse[n] = list.impulse[n] + more
       push(b, list, n, more)
-      most, fastest = max(most, more, -more), max(fastest, list.impulse[n])
+      most, largest = max(most, more, -more), max(largest, list.impulse[n])
     end
-    if most <= LEAST * fastest then
+    if most <= LEAST * largest then
       return
     end
   end
