@@ -17,7 +17,10 @@
 --                       no farther than FURTHEST in all, on each axis (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
---                    4. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
+--                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
+--                       give way and no push is taken back, so that a heap does not sink. FURTHEST
+--                       does not apply, and which rows touch is not found anew.
+--                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
 --                       noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
@@ -49,9 +52,8 @@ local press = {}
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
--- Passes over the rows. (More of them in which the lower body of a pair does not give way took
--- momentum from marbles that are struck on a ramp, and shot light balls out from under heavy ones.)
-local PASSES = 20
+-- Passes over the rows, and those after them in which the lower one does not give way.
+local PASSES, SHOCKS = 16, 6
 -- Factor of each push but the last ones, where there is no gravity: many are pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
 local EAGER = 1.2
@@ -64,6 +66,8 @@ local FURTHEST = 0.35
 -- Share of the smaller size that two are in each other after all passes, or would be in the next
 -- step, if there is no room.
 local JAMMED = 0.05
+-- Share of a normal along gravity from which on one body of a pair is above the other.
+local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins; px/s, of rounding.
 local ROOM = 0.1
 
@@ -180,13 +184,22 @@ local function pushApart(column, s, c, more)
 end
 
 -- Computes how the two bodies of each row give way, and pushes those apart that begin with an
--- impulse of the last step.
-local function weigh(b)
-  local s = b.slants
+-- impulse of the last step. `isShock`: the lower body does not give way.
+local function weigh(b, isShock)
+  local s, down, give = b.slants, b.down, b.give
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
+    local k, m = 2 * i, 2 * j
     local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
+    local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
+    local isInVice = s.viceAt[i] == b.solveStamp or s.viceAt[j] == b.solveStamp
+    local mayHold = isShock and give[k] > 0 and give[m] > 0 and not isInVice
+    if mayHold and share < -ABOVE then
+      jx, jy = 0.0, 0.0
+    elseif mayHold and share > ABOVE then
+      ix, iy = 0.0, 0.0
+    end
     local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
     local ex, ey = motionOf(b, j, i, nx, ny, jx, jy)
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
@@ -202,19 +215,19 @@ end
 
 -- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
 -- of each row so far. A row whose bodies have left each other again takes its push back.
-local function sweep(b, column, sum, isOfSpeeds)
+local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
   local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
   local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
-  for pass = 1, PASSES do
-    local eager = pass < PASSES - 1 and eagerness or 1.0
+  for pass = 1, passCount do
+    local eager = pass < passCount - 1 and eagerness or 1.0
     for n = 1, s.rows do
       local c = order[n]
       if total[c] > 0 and (not isOfSpeeds or isFlush[c] or sum[c] > 0) then
         local k, m = 2 * one[c], 2 * other[c]
         local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
         local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
-        local more = max(want, -sum[c])
+        local more = max(want, isShock and 0.0 or -sum[c])
         sum[c] = sum[c] + more
         if more ~= 0 then
           column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
@@ -324,8 +337,7 @@ local function forgetJams(b)
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j = s.one[c], s.other[c]
-    local most = JAMMED * ball.smallest(b, i, j)
-    if depthOf(b, c) > most then
+    if depthOf(b, c) > JAMMED * ball.smallest(b, i, j) then
       s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
     end
   end
@@ -372,6 +384,18 @@ local function noteAll(b)
   end
 end
 
+-- Solves the places, then the speeds.
+local function solve(b, passCount, isShock)
+  weigh(b, isShock)
+  sweep(b, b.to, b.slants.push, passCount, false, isShock)
+  leaveWalls(b, b.to, false)
+  if not isShock then
+    findFlush(b)
+  end
+  sweep(b, b.speed, b.slants.impulse, passCount, true, isShock)
+  leaveWalls(b, b.speed, true)
+end
+
 --- Pushes all pairs apart that end nearer to each other than they may be.
 function press.run(b, ofAll)
   listRows(b, ofAll)
@@ -379,12 +403,10 @@ function press.run(b, ofAll)
     return
   end
   listWalls(b)
-  weigh(b)
-  sweep(b, b.to, b.slants.push, false)
-  leaveWalls(b, b.to, false)
-  findFlush(b)
-  sweep(b, b.speed, b.slants.impulse, true)
-  leaveWalls(b, b.speed, true)
+  solve(b, PASSES, false)
+  if not b.isWeightless then
+    solve(b, SHOCKS, true)
+  end
   forgetJams(b)
   noteAll(b)
 end
