@@ -152,19 +152,18 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
       twin:restore(state)
       twin:update(1 / 10)
       assert.same({ 400, -20 }, { twin.objects.balloons[1].lift, twin.objects.balloons[1].vy })
-      state.fields.lift[2] = "up"
-      refuses('state.fields.lift[2] must be a number >= 0, got "up"', twin.restore, twin, state)
+      state.fields[1].lift = "up"
+      refuses('objects.balloons[1].lift must be a number >= 0, got "up"', twin.restore, twin, state)
     end)
   end)
 
-  it("not told from none in a state that has no list of it #files", function()
+  it("none in a state of a version that did not know it #files", function()
     with(LIFT, function(physics)
       local world = physics.newWorld()
       local balloon = world:add("balloons", newBalloon(nil))
       world:update(1 / 10)
       local state = world:save()
       balloon.lift = 300
-      state.fields.lift = nil
       world:restore(state)
       assert.is_nil(balloon.lift)
     end)

@@ -223,7 +223,7 @@ describe("area: a zone", function()
       other:update(DT)
     end
     assert.same({ world:hash(), object.y }, { other:hash(), other.objects.bodies[1].y })
-    saved.fields.area[2][1] = "wind"
+    saved.fields[2].area[1] = "wind"
     assert.is_false((pcall(other.restore, other, saved)))
   end)
 

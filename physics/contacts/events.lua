@@ -23,14 +23,15 @@ local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.O
 local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
 
---- The values of an event besides its objects `a`, `b` and `c`: each has a list, by event.
+--- The values of an event, of which the first three are objects: each has a list, by event. (So do
+--- `leant` and the ranks, which put it in order.)
 events.VALUES = {
+  "a",
+  "b",
+  "c", -- false: there are two only
   "kind", -- the name of its callback
   "side", -- of `a`; or the name of an axis, or false (see `event` in fields/fields)
   "speed", -- px/s; of `onStay`: s, the length of its step
-  "leant", -- 1: the contact begins because one object leans on the other, without a hit
-  "rankA",
-  "rankB",
   "x1", -- of `onBegin` (`onStay` is not told): the ends of the common edge
   "y1",
   "x2",
@@ -54,9 +55,9 @@ function events.new()
     heardBy = 3, -- of the last one told, recipients called: its first object, its second, the world
     order = {},
     late = {},
-    a = {},
-    b = {},
-    c = {},
+    leant = {}, -- 1: the contact begins because one object leans on the other, without a hit
+    rankA = {},
+    rankB = {},
   }
   for _, name in ipairs(events.VALUES) do
     e[name] = {}
@@ -133,7 +134,7 @@ local function isHeard(b, i, j)
 end
 
 -- Adds an event of a contact of pair p on `side` of its first object, with its place. `leant`: see
--- events.VALUES.
+-- events.new.
 local function addPlaced(b, kind, p, side, speed, leant)
   local e, count = b.events, b.events.count
   add(b, kind, b.pairA[p], b.pairB[p], side, speed)

@@ -209,15 +209,12 @@ local function push(b, work, count)
         dx, dy = wayOf(b, work.slot[m], work.slot[n])
         far = NEAREST
       end
-      local v, share = speed[c] * (1 / far - 1), shareOne[c]
-      dx, dy = v * dx, v * dy
-      local vx, vy = dx * share + rounding - rounding, dy * share + rounding - rounding
-      nowX[m], nowY[m] = nowX[m] - vx, nowY[m] - vy
-      if shareOther[c] ~= share then
-        share = shareOther[c]
-        vx, vy = dx * share + rounding - rounding, dy * share + rounding - rounding
-      end
-      nowX[n], nowY[n] = nowX[n] + vx, nowY[n] + vy
+      local v, share, rest = speed[c] * (1 / far - 1), shareOne[c], shareOther[c]
+      local vx, vy = v * dx, v * dy
+      nowX[m] = nowX[m] - (vx * share + rounding - rounding)
+      nowY[m] = nowY[m] - (vy * share + rounding - rounding)
+      nowX[n] = nowX[n] + (vx * rest + rounding - rounding)
+      nowY[n] = nowY[n] + (vy * rest + rounding - rounding)
     end
   end
 end
@@ -246,13 +243,12 @@ end
 -- not lifted off the ground.
 local function listDrifted(b, work)
   local softSpeed, velocity, down, support = b.softSpeed, b.velocity, b.down, b.support
-  local count = 0
   for n = 1, work.count do
     local i = work.slot[n]
     local k, m = 2 * i, 2 * i + 1
     if softSpeed[k] ~= 0 or softSpeed[m] ~= 0 then
-      count = count + 1
-      work.drifted[count] = i
+      b.driftedCount = b.driftedCount + 1
+      work.drifted[b.driftedCount] = i
       islands.wake(b, i)
       local own = max(velocity[k], -velocity[k], velocity[m], -velocity[m])
       for at = k, m do
@@ -266,7 +262,6 @@ local function listDrifted(b, work)
       end
     end
   end
-  b.driftedCount = count
 end
 
 --- Finds the drift of all bodies that overlap bodies to which they are soft, in a step of dt s.

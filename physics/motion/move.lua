@@ -92,7 +92,8 @@ end
 local function ride(b, dt)
   local list, kind, carried, accel, to = b.awakeList, b.kind, b.carried, b.accel, b.to
   local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
-  for n = 1, b.awakeCount do
+  local isNeeded = b.hasCarriers or b.driftedCount > 0 or b.hasOverlaps
+  for n = 1, isNeeded and b.awakeCount or 0 do
     local i = list[n]
     local isBuried, isCrowd = b.buried[i], b.crowd[2 * i] > 0
     for k = 2 * i, kind[i] == DYNAMIC and 2 * i + 1 or 0 do
@@ -124,9 +125,7 @@ function move.run(b, dt)
   if b.driftedCount > 0 then
     drift.add(b)
   end
-  if b.hasCarriers or b.driftedCount > 0 or b.hasOverlaps then
-    ride(b, dt)
-  end
+  ride(b, dt)
 end
 
 return move

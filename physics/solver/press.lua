@@ -161,20 +161,6 @@ end
 
 -- Passes ------------------------------------------------------------------------------------------
 
--- Returns by how much a push of 1 along a normal moves slot i, with its inverse masses ix, iy. A
--- body that is not pushable and that the game drives slides along walls, and along another such
--- body. A pushable body j, which something holds, only stops it on its way and does not turn it.
-local function motionOf(b, i, j, nx, ny, ix, iy)
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if not areDynamic or b.pushable[i] or not b.pushable[j] or not path.isDriven(b, i) then
-    return nx * ix, ny * iy
-  end
-  local x, y = b.freeSpeed[2 * i], b.freeSpeed[2 * i + 1]
-  local square = x * x + y * y
-  local share = square > 0 and (nx * x + ny * y) / square or 0.0
-  return share * x * ix, share * y * iy
-end
-
 -- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`sweep`
 -- has it written out: with a call hundreds of circles cost 9 % more without the trace compiler.)
 local function pushApart(column, s, c, more)
@@ -200,8 +186,7 @@ local function weigh(b, isShock)
     elseif mayHold and share > ABOVE then
       ix, iy = 0.0, 0.0
     end
-    local dx, dy = motionOf(b, i, j, nx, ny, ix, iy)
-    local ex, ey = motionOf(b, j, i, nx, ny, jx, jy)
+    local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
     s.total[c] = nx * (dx + ex) + ny * (dy + ey)
     if s.start[c] ~= 0 then
@@ -303,12 +288,12 @@ end
 
 -- The end of the step -----------------------------------------------------------------------------
 
--- Limits how far dynamic slot i is pushed: a share of its size, and as far as it moves by itself.
+-- Limits how far dynamic slot i is pushed: a share of its size, and as far as its speed takes it.
 -- (A body between immovable ones would be pushed to and fro.)
 local function limit(b, i)
-  local k, to, swept, origin = 2 * i, b.to, b.swept, b.origin
-  local x, y = swept[k] - origin[k], swept[k + 1] - origin[k + 1]
-  local most = FURTHEST * min(b.size[k], b.size[k + 1]) + max(x, -x, y, -y)
+  local k, to, origin, start, free = 2 * i, b.to, b.origin, b.start, b.freeSpeed
+  local fastest = max(path.largest(start, k), path.largest(free, k), path.largest(b.speed, k))
+  local most = FURTHEST * min(b.size[k], b.size[k + 1]) + fastest * b.dt
   for m = k, b.kind[i] == DYNAMIC and k + 1 or 0 do
     to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
   end

@@ -178,9 +178,8 @@ function slant.takes(b, p)
   local gap, nx, ny = gapIn(b, b.from, i, j)
   local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
   local bounces = gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u)
-  if bounces or gap > EPSILON or gap < -LOST * ball.smallest(b, i, j) then
-    return false
-  elseif passes(b, p, i, j, nx, ny, gap < -EPSILON) then
+  local isFar = gap > EPSILON or gap < -LOST * ball.smallest(b, i, j)
+  if bounces or isFar or passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
@@ -253,9 +252,8 @@ function slant.find(b, isFirst)
   return hasNew
 end
 
---- Makes a plane of pair p, which meets slanted at moment t in a round and does not bounce. (The
---- two may be deep in each other, if others have pushed them there in this step.) Returns whether
---- it did.
+--- Makes a plane of pair p, which meets at moment t in a round and does not bounce. (The two may be
+--- deep in each other, if others have pushed them there in this step.) Returns whether it did.
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
@@ -263,7 +261,7 @@ function slant.meet(b, p, t)
   end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
   local isLost = gap < -LOST * ball.smallest(b, i, j) and gapIn(b, b.origin, i, j) < -EPSILON
-  if isLost or nx == 0 or ny == 0 then
+  if isLost then
     return false
   end
   put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)

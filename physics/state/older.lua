@@ -3,9 +3,7 @@
 --- were; the library remembers nothing of them: contacts are told again, and riders board.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local format = require(root .. ".state.format")
 local layout = require(root .. ".memory.layout")
-local save = require(root .. ".state.save")
 
 local older = {}
 
@@ -36,8 +34,8 @@ local function write(all, name, list, isOurs)
   end
 end
 
--- Returns the objects of a state of version 2, by their number in it.
-local function objectsOf(old)
+-- Returns the objects of a state of version 2, by their number in it. Lists the names in `own`.
+local function objectsOf(old, own)
   local all = {}
   for n = 1, #old.x do
     all[n] = {}
@@ -48,8 +46,9 @@ local function objectsOf(old)
   for name, list in pairs(old.fields) do
     write(all, name, list, true)
   end
-  for _, entry in ipairs(old.own or {}) do
+  for n, entry in ipairs(old.own or {}) do
     write(all, entry.name, entry.values)
+    own[n] = entry.name
   end
   return all
 end
@@ -57,7 +56,8 @@ end
 --- Returns a state of version 2 as one of today. (Objects that were added since the last step are
 --- the last ones there, in no group.)
 function older.read(old)
-  local st, all, objects, own = {}, objectsOf(old), {}, {}
+  local st, objects, others, own = {}, {}, {}, {}
+  local all = objectsOf(old, own)
   for name, value in pairs(old) do
     st[name] = type(value) ~= "table" and value or {}
   end
@@ -68,20 +68,12 @@ function older.read(old)
     local count = group.objects and #group.objects or group.count
     st.groups[g] = { name = group.name, direct = group.direct, count = count, keys = group.keys }
     for m = 1, count do
-      objects[#objects + 1] = all[group.objects and group.objects[m] or #objects + 1]
+      local n = #objects + 1
+      objects[n], others[n] = all[group.objects and group.objects[m] or n], n
     end
   end
-  for n, entry in ipairs(old.own or {}) do
-    own[n] = entry.name
-  end
-  st.version, st.count, st.boxes, st.others, st.gone = layout.VERSION, #objects, {}, {}, {}
-  for n, object in ipairs(objects) do
-    for m = 1, 4 do
-      st.boxes[4 * n - 4 + m] = object[DENSE[m]]
-    end
-    st.others[2 * n - 1], st.others[2 * n] = n, format.isStatic(object)
-  end
-  save.fields(nil, st, objects, own[1] and own)
+  st.version, st.count, st.boxes, st.gone = layout.VERSION, #objects, {}, {}
+  st.others, st.fields, st.own = others, objects, own[1] and own
   for _, entry in ipairs(layout.KEPT) do
     st.memory[entry[1]] = {}
   end

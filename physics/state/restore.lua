@@ -26,7 +26,7 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local restore = {}
 
-local STATIC, DYNAMIC = constants.STATIC, constants.DYNAMIC
+local STATIC = constants.STATIC
 local COLUMNS, PAIRS, VALUES = layout.KEPT, format.PAIRS, events.VALUES
 local NONE = {}
 local max, min = math.max, math.min
@@ -94,81 +94,52 @@ local function clear(list)
   end
 end
 
--- Writes the value of a field or setting in a state, nil: none. A table that says the same stays;
--- `isShared`: another one is changed in place, since the game may hold it.
-local function write(owner, row, value, isShared)
-  local now = owner[row.name]
-  if type(value) ~= "table" then
-    owner[row.name] = value
-  elseif not forms.isSame(now, value) then
-    local into = isShared and type(now) == "table" and now or nil
-    clear(into or NONE)
-    owner[row.name] = forms.copy(value, into)
-  end
-end
-
--- Writes fields or settings by their rows.
-local function writeRows(owner, rows, given, isShared)
-  for _, row in ipairs(rows) do
-    write(owner, row, given[row.name], isShared)
-  end
-end
-
--- Writes places, sizes and `static`. Returns the numbers of the objects that must be written and
--- read as a whole: all but tiles that are in place.
-local function writeBoxes(b, st, objects)
-  local odd, list, others, at, m = {}, st.boxes, st.others, 1, 1
-  for n = 1, st.count do
-    local object, i, isTile = objects[n], b.slotOf[objects[n]], others[m] ~= n
-    local isStatic = isTile or others[m + 1]
-    m = isTile and m or m + 2
-    if format.isStatic(object) ~= isStatic then
-      object.static = isStatic
-    end
-    object.x, object.y = list[at], list[at + 1]
-    object.width, object.height = list[at + 2], list[at + 3]
-    local isStill = isTile and i and format.isTile(b, i, object)
-    if not (isStill and format.isInPlace(b, i, object)) then
-      odd[#odd + 1] = n
-    end
-    at = at + 4
-  end
-  return odd
-end
-
--- Writes a field of all objects, or of those in `odd`.
-local function writeField(st, objects, row, odd)
-  local name, list, numbers, at = row.name, st.fields[row.name] or NONE, odd or NONE, 1
-  local due = list[1] -- the number of the next object that has the field
-  if odd and not due then -- no object has the field, which is the case of most
-    for m = 1, #odd do
-      if objects[odd[m]][name] ~= nil then
-        objects[odd[m]][name] = nil
-      end
-    end
-    return
-  end
-  for m = 1, odd and #odd or st.count do
-    local n, value = numbers[m] or m, nil
-    if n == due then
-      value, at = list[at + 1], at + 2
-      due = list[at]
-    end
-    if objects[n][name] ~= value then
-      write(objects[n], row, value)
+-- Writes the settings. A table that says the same stays; another one is changed in place, since the
+-- game may hold it.
+local function writeSettings(world, given)
+  for _, row in ipairs(fields.savedSettings) do
+    local now, value = world[row.name], given[row.name]
+    if not forms.isSame(now, value) then
+      local into = type(value) == "table" and type(now) == "table" and now or nil
+      clear(into or NONE)
+      world[row.name] = forms.copy(value, into)
     end
   end
 end
 
--- Writes all fields. An object that had left the world gets those that it had then. Returns the
--- list of `writeBoxes`.
+-- Takes over the place and velocity of an object that is known and can move, so that it need not be
+-- read anew if it is only elsewhere. (Memory has the rest of it.)
+local function readKnown(b, i, object)
+  if i and b.kind[i] ~= STATIC and not object.static then
+    local written, velocity, k = b.written, b.velocity, 2 * i
+    written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
+    velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
+  end
+end
+
+-- Writes the fields. An object that had left the world gets those that it had then. Returns the
+-- numbers of the objects that must be read: all but tiles that are in place.
 local function writeFields(b, st, objects)
-  local odd = writeBoxes(b, st, objects)
-  for _, row in format.rows(st) do
-    writeField(st, objects, row, not row.isOwn and odd)
+  local odd, list, others, own, at, m = {}, st.boxes, st.others, st.own, 1, 1
+  for n = 1, st.count do
+    local object, i, saved = objects[n], b.slotOf[objects[n]], st.fields[m]
+    if others[m] == n then
+      m = m + 1
+    else
+      local x, y, width, height = list[at], list[at + 1], list[at + 2], list[at + 3]
+      object.x, object.y, object.width, object.height = x, y, width, height
+      local isStill = i and format.isTile(b, i, object, own) and format.isInPlace(b, i, object)
+      saved = not isStill and { x = x, y = y, width = width, height = height, static = true }
+      at = at + 4
+    end
+    if saved then
+      odd[#odd + 1] = n
+      format.write(saved, object, own)
+      readKnown(b, i, object)
+    end
   end
   for n, saved in ipairs(st.gone) do
-    writeRows(objects[st.count + n], fields.saved, saved)
+    format.write(saved, objects[st.count + n])
   end
   return odd
 end
@@ -199,21 +170,6 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
--- Takes over places and velocities of known objects that can move, so that an object that is only
--- elsewhere need not be read anew. (Memory has the rest of it.)
-local function readKnown(b, objects, odd)
-  local written, velocity = b.written, b.velocity
-  for m = 1, #odd do
-    local object = objects[odd[m]]
-    local i = b.slotOf[object]
-    if i and b.kind[i] ~= STATIC and not format.isStatic(object) then
-      local k = 2 * i
-      written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
-      velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
-    end
-  end
-end
-
 -- Reads static objects again that have other fields now. (An object that a query has seen leave is
 -- in no group until all are read.) Lists the slots of all in `b.restored`.
 local function readStatic(b, objects, odd)
@@ -221,7 +177,7 @@ local function readStatic(b, objects, odd)
   b.restored = slots
   for m = 1, #odd do
     local object = objects[odd[m]]
-    local i, isStatic = b.slotOf[object], format.isStatic(object)
+    local i, isStatic = b.slotOf[object], object.static or false
     local wasStatic = i and b.kind[i] == STATIC
     local isOther = isStatic and wasStatic and readFields.firstOfStatic(b, i, object)
     if i and b.group[i] and (isOther or isStatic ~= wasStatic) then
@@ -235,24 +191,10 @@ local function readStatic(b, objects, odd)
   end
 end
 
--- Reads all objects in their old order. If the game has set another `order` since the last step, it
--- holds from the next step on.
-local function readAll(world, st)
-  local r, names = world._bodies.registry, {}
-  for n, group in ipairs(st.groups) do
-    names[n] = group.name
-  end
-  local order = r.order
-  r.order, r.reorder = names, true
-  read.run(world._bodies, world.objects)
-  r.order, r.reorder = order, true
-end
-
 -- Memory ------------------------------------------------------------------------------------------
 
 -- Forgets all events and all contacts, without events about it.
 local function forget(b)
-  events.forget(b.events)
   for c = 1, #PAIRS do
     local column = b[PAIRS[c][1]]
     for p = 1, b.pairSlots do
@@ -297,9 +239,7 @@ local function restoreMemory(b, st, objects)
     local i = slots[n]
     islands.wake(b, i)
     boxes.stand(b, i)
-    if b.kind[i] == DYNAMIC then -- (its table may be that of another world now, or of several)
-      read.resetTouching(b, i)
-    end
+    read.resetTouching(b, i) -- (its table may be that of another world now, or of several)
   end
   b.movedCount = #st.memory.moved * 0.5
   for n = 1, b.movedCount do
@@ -334,13 +274,12 @@ end
 
 local function restoreEvents(b, st, objects)
   local e, list, n = b.events, st.events, 0
-  for at = 1, #list, 3 + #VALUES do
+  for at = 1, #list, #VALUES do
     n = n + 1
     e.order[n] = n
-    e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
-    e.c[n] = objects[list[at + 2]] or false
     for m = 1, #VALUES do
-      e[VALUES[m]][n] = list[at + 2 + m]
+      local value = list[at + m - 1]
+      e[VALUES[m]][n] = m > 3 and value or m <= 3 and objects[value] or false
     end
   end
   e.count, e.sorted, e.told, e.heardBy = n, n, st.heardBy and 1 or 0, st.heardBy or 3
@@ -364,13 +303,12 @@ function restore.world(world, st)
     objects, sentence, new = match(world, st, layers and recall.find(world, st, layers))
   end
   forget(b)
-  writeRows(world, fields.savedSettings, st.settings, true)
+  writeSettings(world, st.settings)
   settings.apply(world)
   local odd = writeFields(b, st, objects)
   place(world, st, objects)
-  readKnown(b, objects, odd)
   readStatic(b, objects, odd)
-  readAll(world, st)
+  read.run(b, world.objects)
   readStatic(b, objects, odd)
   events.forget(b.events)
   restoreMemory(b, st, objects)

@@ -283,6 +283,20 @@ describe("radius, pushable and strength: what presses to", function()
     assert.same({ seed, true, true }, { seed, between < 1e-5, inStone < 1e-6 })
   end)
 
+  -- A ball was pushed away from a box before that came: they ended 1.8 px in each other.
+  small.rows("a point, half of it balls, ends apart: {1}", { 1, 12 }, function(seed)
+    local options = { count = 30, seed = seed, goal = "point", drive = "vx", ring = 2, balls = 0.5 }
+    local crowd = crowds.new(options)
+    for _ = 1, 60 do
+      crowd:step(1 / 30)
+      for n, one in ipairs(crowd.enemies) do
+        for m = n + 1, #crowd.enemies do
+          assert.is_true(overlap.depth(one, crowd.enemies[m]) < 0.12)
+        end
+      end
+    end
+  end)
+
   -- seed, number, squares to the first of them, share of circles, strength
   for _, row in ipairs({ { 48, 36, 2 }, { 188, 20, 1, 0.4 }, { 188, 20, 1, 0.4, 1 } }) do
     local goal = row[5] and "heavy" or "firm"

@@ -1,6 +1,7 @@
 --- Balls: circles that are no sensors.
 
 local effort = require("spec.support.effort")
+local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local small = require("spec.support.small")
 local yielding = require("physics.narrowphase.yielding")
@@ -448,6 +449,22 @@ it("radius and strength: what has no room between player and stone does not shoo
     world:update(1 / 120)
     for _, one in ipairs(list) do -- (600 px/s)
       assert.is_true(one.vx * one.vx + one.vy * one.vy < 150 * 150, one.vx .. ", " .. one.vy)
+    end
+  end
+end)
+
+--    [ram]->  (_)(_)(_)
+it("radius: a fast ram pushes three balls, and none of them into another", function()
+  for n = 0, 19 do
+    local world, list = physics.newWorld({ gravity = 0 }), {}
+    world:add("rams", small.put(0, 100, 40, 40, { kinematic = true, vx = 2000 }))
+    for m = 1, 3 do
+      list[m] = world:add("balls", ball(68 + 17 * m, 97 + 2 * n + 3 * m, 8))
+    end
+    for _ = 1, 30 do
+      world:update(1 / 60)
+      assert.is_true(overlap.depth(list[1], list[2]) < 0.01)
+      assert.is_true(overlap.depth(list[2], list[3]) < 0.01)
     end
   end
 end)

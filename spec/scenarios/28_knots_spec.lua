@@ -257,6 +257,30 @@ it("radius and pushable: a hero that cannot be pushed stops at a ball in a vice"
   end
 end)
 
+-- A ball between a hero, which walks on a floor while it is pressed down, and a pillar.
+--
+--    (pillar)
+--         (ball)
+--            <-(hero)
+--    #################
+it("radius and pushable: a hero that cannot be pushed is not thrown by such a ball", function()
+  for angle = 30, 60 do
+    local world = physics.newWorld({ gravity = 0 })
+    local x, y = math.cos(math.rad(angle)), math.sin(math.rad(angle))
+    world:add("walls", small.tile(0, 180, 240, 20))
+    world:add("walls", small.ball(100 - 40 * x, 168 - 40 * y, 12, { static = true }))
+    world:add("balls", small.ball(100 - 20 * x, 168 - 20 * y, 8, { ax = 280, ay = 280 }))
+    local hero = world:add("heroes", small.ball(100, 168, 12, { pushable = false }))
+    for _ = 1, 20 do
+      local before = hero.x
+      hero.vx, hero.vy = -80, 80
+      world:update(1 / 60)
+      assert.near(before, hero.x, 3)
+      assert.near(156, hero.y, 1e-9)
+    end
+  end
+end)
+
 -- A small ball lies in a corner; the ball above it is between a pillar and the wall.
 --
 --    (pillar)(ball)#
