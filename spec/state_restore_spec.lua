@@ -264,6 +264,17 @@ describe("ownFields", function()
     "twin.objects.men[2].hp = nil; twin:hash() ~= hash",
   })
 
+  it("of tiles come back, and leave those that had none", function()
+    local world = physics.newWorld({ ownFields = { "hp" } })
+    local door = world:add("tiles", { x = 0, y = 0, width = 8, height = 8, static = true, hp = 9 })
+    local tile = world:add("tiles", { x = 8, y = 0, width = 8, height = 8, static = true })
+    world:update(DT)
+    local state = world:save()
+    door.hp, tile.hp = 0, 1
+    world:restore(state)
+    assert.same({ 9 }, { door.hp, tile.hp })
+  end)
+
   it("leave a state and a hash as they were where nothing is named", function()
     local plain, named = newScene(), newScene({})
     assert.equal(plain:hash(), named:hash())
