@@ -37,8 +37,7 @@ local function depthIn(world)
 end
 
 -- Balls, and the number of the scene. (In the last one a box had a speed of 5e-16 px/s for ever.)
-local ROWS =
-  { { 8, 12 }, { 8, 54 }, { 12, 3 }, { 12, 40 }, { 20, 21 }, { 20, 35 }, { 12, 8 } }
+local ROWS = { { 8, 12 }, { 8, 54 }, { 12, 3 }, { 12, 40 }, { 20, 21 }, { 20, 35 }, { 12, 8 } }
 
 describe("radius: balls in a pit", function()
   -- Balls, the number of the scene, and the number of steps.
