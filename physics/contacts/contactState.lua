@@ -36,48 +36,39 @@ local function isPressed(b, i, j, side)
     or b.kind[j] == DYNAMIC and pressedAt[4 * j + OPPOSITE[side]] == stamp
 end
 
+-- Returns the side of slot i on which slot j is at the places in a column. If the two overlap, that
+-- is the side on which i leaves j by the shortest way.
+local function normalSide(b, places, i, j)
+  local _, nx, ny = ball.gapIn(b, places, i, j)
+  local axis, isLow = shapes.sideOf(nx, ny, false)
+  return 2 * axis + (isLow and 2 or 1)
+end
+
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
-  local position, size = b.position, b.size
+  local position, side = b.position, 0
   if b.hasShapes and touch.haveFaces(b, i, j) then
     local box, ramp = touch.order(b, i, j)
-    local side = touch.sideBefore(b, box, ramp, position, size, position)
-    if side > 0 then
-      b.wedged[p] = box == i and side or OPPOSITE[side]
-    end
-    return
-  end
-  for axis = 0, 1 do
-    local ki, kj = 2 * i + axis, 2 * j + axis
-    local r = position[kj] - position[ki]
-    if r - size[ki] >= -EPSILON or -r - size[kj] >= -EPSILON then
-      b.wedged[p] = 2 * axis + (r < 0 and 1 or 2)
-      return
+    side = touch.sideBefore(b, box, ramp, position, b.size, position)
+    side = box == i and side or OPPOSITE[side]
+  elseif b.hasRound and ball.isRolling(b, position, i, j) then
+    side = normalSide(b, position, i, j)
+  else
+    for axis = 1, 0, -1 do -- (x counts first)
+      local k, m = 2 * i + axis, 2 * j + axis
+      local r = position[m] - position[k]
+      local isApart = r - b.size[k] >= -EPSILON or -r - b.size[m] >= -EPSILON
+      side = isApart and 2 * axis + (r < 0 and 1 or 2) or side
     end
   end
+  b.wedged[p] = side
 end
 
 -- Notes that two overlapping bodies must be parted, if they are dynamic (see overlaps/overlap.lua).
 local function leaveInside(b, i, j)
   b.inside[i], b.inside[j] = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
   b.hasOverlaps = true
-end
-
--- Returns the side of the first body of pair p on which it would leave the second one, which it
--- overlaps, by the shortest way.
-local function shortestSide(b, p)
-  local i, j = b.pairA[p], b.pairB[p]
-  local isSwapped = b.rank[j] < b.rank[i] -- a tie is decided by the order of the world
-  if isSwapped then
-    i, j = b.pairB[p], b.pairA[p]
-  end
-  local to, size, k, m = b.to, b.size, 2 * i, 2 * j
-  local x, y, width, height = to[k], to[k + 1], size[k], size[k + 1]
-  local itsX, itsY, itsWidth, itsHeight = to[m], to[m + 1], size[m], size[m + 1]
-  local name = shapes.side(x, y, width, height, itsX, itsY, itsWidth, itsHeight)
-  local side = constants.SIDE[name]
-  return isSwapped and OPPOSITE[side] or side
 end
 
 -- Returns the side on which a solid pair that overlaps is in contact now, else 0.
@@ -97,7 +88,7 @@ local function deepContact(b, p, i, j)
   end
   local side = isWedged and b.wedged[p] or b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
   -- A buried body touches the object that it is in.
-  return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, p) or side
+  return side == 0 and (b.buried[i] or b.buried[j]) and normalSide(b, b.to, i, j) or side
 end
 
 -- Returns the side on which a solid pair that does not overlap is in contact now, else 0. A pair
@@ -129,7 +120,7 @@ local function sensorContact(b, p, i, j)
     return 0
   end
   local side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
-  return side ~= 0 and side or shortestSide(b, p)
+  return side ~= 0 and side or normalSide(b, b.to, i, j)
 end
 
 -- Returns whether slot i has stayed in its place, whatever met it.

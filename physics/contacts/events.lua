@@ -171,7 +171,18 @@ function events.stay(b, p, side)
   end
 end
 
---- Notes the events of objects that begin to be crushed in this step, on each axis.
+-- Returns whether slot i still lies in another body that it came into along an axis.
+local function isWedged(b, i, axis)
+  for _, _, p in links.neighbours(b, i) do
+    if b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis then
+      return true
+    end
+  end
+  return false
+end
+
+--- Notes the events of objects that begin to be crushed in this step, on each axis. (A machine that
+--- stands still for a while crushes nothing, but does not let them out either.)
 function events.tellCrush(b)
   local list, crusher, wasCrushed = b.awakeList, b.crusher, b.wasCrushed
   for n = 1, b.awakeCount do
@@ -181,7 +192,7 @@ function events.tellCrush(b)
       if low > 0 and not wasCrushed[k] and hasListener(b, "onCrush", i, i) then
         note(b, "onCrush", i, low, b.object[high], k % 2 == 0 and "x" or "y", 0)
       end
-      wasCrushed[k] = low > 0
+      wasCrushed[k] = low > 0 or wasCrushed[k] and isWedged(b, i, k % 2)
     end
   end
 end

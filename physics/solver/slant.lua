@@ -172,7 +172,7 @@ end
 --- Returns whether it is.
 function slant.takes(b, p)
   local i, j = slotsOf(b, p)
-  if not mayPress(b, i, j) then
+  if ball.isCaught(b, p) or not mayPress(b, i, j) then
     return false
   end
   local gap, nx, ny = gapIn(b, b.from, i, j)

@@ -338,6 +338,55 @@ it("onCrush: what is put elsewhere leaves the same lift by the shortest way, at 
   assert.is_true(man.y >= 220 and man.y < 222)
 end)
 
+it("onCrush: put elsewhere under the same press, an object is told again", function()
+  local world, told = physics.newWorld({ gravity = 800 }), 0
+  world:add("floors", small.put(0, 100, 200, 20, { static = true }))
+  local press = world:add("presses", small.put(0, 50, 200, 20, { kinematic = true, vy = 60 }))
+  local man = world:add("men", small.put(50, 76, 12, 24))
+  function man.onCrush()
+    told = told + 1
+  end
+  small.run(world, 12)
+  assert.equal(1, told)
+  man.x, press.vy = 100, 0
+  small.run(world, 2)
+  assert.same({ 2, 100 }, { told, man.x })
+end)
+
+--    ______      ______
+--    |  .-'      |    |  down to the floor, and up again after a while
+--    |-'( )#     | [] |
+--   ---------   --[]---
+it("onCrush: a press that waits holds a ball in a corner, and a stack, and tells once", function()
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    for _, slope in ipairs({ "topleft", false }) do
+      local world, told = physics.newWorld({ gravity = 800 }), 0
+      local press =
+        small.put(0, slope and 10 or -20, 100, 50, { kinematic = true, slope = slope or nil })
+      world:add("floors", small.put(-50, 100, 200, 20, { static = true }))
+      world:add("presses", press)
+      world:add("walls", small.put(60, 0, 16, 100, { static = true }))
+      local low = slope and { x = 40, y = 80, radius = 10 } or small.put(40, 80, 20, 20)
+      world:add("things", low)
+      if not slope then
+        world:add("things", small.put(40, 60, 20, 20))
+      end
+      function low.onCrush()
+        told = told + 1
+      end
+      for step = 1, 4 * rate do
+        press.vy = step <= rate and 60 or step <= 2 * rate and 0 or -20
+        local y = low.y
+        world:update(1 / rate)
+        assert.is_true(math.abs(low.y - y) <= 2)
+        assert.equal(40, low.x)
+      end
+      assert.same({ rate, slope, 1 }, { rate, slope, told })
+      assert.is_true(math.abs(low.y - 80) < 1e-6)
+    end
+  end
+end)
+
 it("onCrush: names two objects of the world where only one side of an object is pressed", function()
   local world, told = physics.newWorld({ gravity = 800 }), 0
   local function put(group, x, y, width, height, fields)
