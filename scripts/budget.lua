@@ -22,7 +22,7 @@ local BUDGET = {
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
   { "physics/solver", 3402 },
-  { "physics/space", 512 },
+  { "physics/space", 508 },
   { "physics/state", 961 },
   { "physics/world", 1363 },
 }
