@@ -422,10 +422,8 @@ function press.finish(b)
   end
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
-    if s.isFlush[c] then
-      rest(b, s.one[c])
-      rest(b, s.other[c])
-    end
+    rest(b, s.one[c])
+    rest(b, s.other[c])
   end
   pairFinder.run(b, b.awakeList, b.awakeCount)
   heap.spread(b, b.heapWork.inHeap, b.solveStamp)

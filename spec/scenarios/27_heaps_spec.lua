@@ -204,7 +204,9 @@ describe("radius: a heap of balls", function()
 
   -- Balls, or each third one a box, in ten columns. The last one lands within 0.6 s. (Of 30 such
   -- heaps four rest later, at 3.1 s at the latest.)
-  for what, hasBoxes in pairs({ ["100"] = false, ["67, and 33 boxes, #slow"] = true }) do
+  local heaps = { { "100", 60 }, { "100, at 30 Hz", 30 }, { "67, and 33 boxes, #slow", 60, true } }
+  for _, row in ipairs(heaps) do
+    local what, rate, hasBoxes = row[1], row[2], row[3]
     long("of " .. what .. " rests two seconds after it has fallen, without overlaps", function()
       local world, random = newShaft({}, 240), newRandom(4)
       for i = 0, 99 do
@@ -217,7 +219,7 @@ describe("radius: a heap of balls", function()
         end
         world:add("balls", object)
       end
-      run(world, 2.6)
+      run(world, 2.6, rate)
       assert.are.equal(100, world.stats.resting)
       -- (Of 12 such heaps at 60 and 120 Hz the deepest overlap is 0.06 to 0.1 px.)
       local deepest = newOverlaps(world.objects.balls)()
