@@ -27,9 +27,10 @@
 --     return near.publish(c, kept, c.entry, out) -- a list; one object: near.first, near.finish
 --
 -- A candidate has `object`, `rank`, `kind`, `shape`, `position` and `size` (at 2 n and 2 n + 1) at
--- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down is the axis
--- `c.bodies.downAxis`, towards `c.bodies.orientation` of it. The filter may be a function of the
--- game, which may ask queries itself: it is called by `publish`, `first` and `accepts` only.
+-- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down, as of the last
+-- update, is the axis `c.bodies.downAxis`, towards `c.bodies.orientation` of it. The filter may be
+-- a function of the game, which may ask queries itself: it is called by `publish`, `first` and
+-- `accepts` only.
 --
 -- A query of a line begins with `rays.begin`, which sets where the line is (`c.x`, `c.y`, `c.dx`,
 -- `c.dy`), and calls `near.line`. `lines.passage` says whether it meets a candidate, `lines.hit`

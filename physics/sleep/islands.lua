@@ -17,7 +17,7 @@
 -- start), no way is left, and `hasNews` there finds none of these notes. At the end of the step
 -- `mustStayAwake` says whether it is not quiet.
 --
---     mustStayAwake  a contact that is new or bounces (`contactState.update`, `ball.impact`,
+--     mustStayAwake  a contact that begins, ends or bounces (`contactState.update`, `ball.impact`,
 --                    `together.run`); another support or carrier, a hit of this update (write); a
 --                    nudge (`nudge`), a bounded step (`putBefore` in bounds); a way out of an
 --                    overlap (`bury` in overlap, `crowd.run`, `count` in patience). A body that
