@@ -4,8 +4,8 @@
 --
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
--- Reads to, position, hit, pressedAt, passing and others; writes contact,
--- wedged, dropping, inside, news, and notes the events.
+-- Reads to, position, hit, pressedAt, passing and others; writes contact, wedged, dropping, inside,
+-- mustStayAwake, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")

@@ -7,6 +7,7 @@
 -- update.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
 local boxes = require(root .. ".space.boxes")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
@@ -22,9 +23,11 @@ local events = {}
 local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.OPPOSITE
 local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
+local IN = 0.02 -- see isWedged
 
---- The values of an event, of which the first three are objects: each has a list, by event. (So do
---- `leant` and the ranks, which put it in order.)
+--- The values of an event, of which the first OBJECTS are objects: each has a list, by event. (So
+--- do `leant` and the ranks, which put them in order.)
+events.OBJECTS = 3
 events.VALUES = {
   "a",
   "b",
@@ -171,11 +174,15 @@ function events.stay(b, p, side)
   end
 end
 
--- Returns whether slot i still lies in another body that it came into along an axis.
+-- Returns whether slot i still lies in another body that it came into along an axis. (Bodies of a
+-- heap rest in each other by less than IN of the smaller size.)
 local function isWedged(b, i, axis)
-  for _, _, p in links.neighbours(b, i) do
+  for _, j, p in links.neighbours(b, i) do
     if b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis then
-      return true
+      local isDeep = ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j)
+      if isDeep or ball.isCaught(b, p) then
+        return true
+      end
     end
   end
   return false

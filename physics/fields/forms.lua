@@ -14,18 +14,18 @@ local layout = require(root .. ".memory.layout")
 
 local forms = {}
 
---- Returns whether two values are equal, or tables with equal entries.
+--- Returns whether two values are equal, or tables with equal entries, whatever their metatables.
 function forms.isSame(one, other)
   if type(one) ~= "table" or type(other) ~= "table" then
     return one == other
   end
   for key, value in next, one, nil do
-    if not forms.isSame(value, other[key]) then
+    if not forms.isSame(value, rawget(other, key)) then
       return false
     end
   end
   for key in next, other, nil do
-    if one[key] == nil then
+    if rawget(one, key) == nil then
       return false
     end
   end

@@ -279,7 +279,10 @@ local function restoreEvents(b, st, objects)
     e.order[n] = n
     for m = 1, #VALUES do
       local value = list[at + m - 1]
-      e[VALUES[m]][n] = m > 3 and value or m <= 3 and objects[value] or false
+      if m <= events.OBJECTS then
+        value = objects[value] or false
+      end
+      e[VALUES[m]][n] = value
     end
   end
   e.count, e.sorted, e.told, e.heardBy = n, n, st.heardBy and 1 or 0, st.heardBy or 3

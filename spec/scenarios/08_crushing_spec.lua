@@ -387,6 +387,33 @@ it("onCrush: a press that waits holds a ball in a corner, and a stack, and tells
   end
 end)
 
+--   | #### |
+--   |( )   |   two balls that lean on each other in a shaft: free when the press is up
+--   |   ( )|
+it("onCrush: balls that lean on each other are told at each stroke of a press", function()
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    local world, told = physics.newWorld({ gravity = 800 }), 0
+    world:add("walls", small.put(-50, 200, 200, 20, { static = true }))
+    world:add("walls", small.put(-20, -200, 20, 400, { static = true }))
+    world:add("walls", small.put(16.5, -200, 20, 400, { static = true }))
+    world:add("balls", { x = 0.5, y = 174, radius = 8 })
+    local ball = world:add("balls", { x = 0, y = 158, radius = 8 })
+    function ball.onCrush()
+      told = told + 1
+    end
+    small.run(world, 4 * rate, rate)
+    local press = small.put(0, ball.y - 60, 16.5, 20, { kinematic = true })
+    world:add("presses", press)
+    for stroke = 1, 3 do
+      for _, vy in ipairs({ 60, -60, 0, 0 }) do
+        press.vy = vy
+        small.run(world, 0.8 * rate, rate)
+      end
+      assert.same({ rate, stroke }, { rate, told })
+    end
+  end
+end)
+
 it("onCrush: names two objects of the world where only one side of an object is pressed", function()
   local world, told = physics.newWorld({ gravity = 800 }), 0
   local function put(group, x, y, width, height, fields)
