@@ -11,19 +11,19 @@ local files = require("spec.support.files")
 local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 629 },
-  { "physics/contacts", 378 },
+  { "physics/contacts", 384 },
   { "physics/fields", 681 },
   { "physics/maps", 2483 },
   { "physics/memory", 841 },
   { "physics/motion", 989 },
   { "physics/narrowphase", 566 },
-  { "physics/objects", 1308 },
+  { "physics/objects", 1309 },
   { "physics/overlaps", 838 },
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
   { "physics/solver", 3395 },
   { "physics/space", 508 },
-  { "physics/state", 961 },
+  { "physics/state", 967 },
   { "physics/world", 1363 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
