@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/motion", 989 },
   { "physics/narrowphase", 566 },
   { "physics/objects", 1309 },
-  { "physics/overlaps", 838 },
+  { "physics/overlaps", 837 },
   { "physics/queries", 968 },
   { "physics/sleep", 81 },
   { "physics/solver", 3395 },
