@@ -48,11 +48,12 @@ end
 -- part there.
 local function wedge(b, p, i, j)
   local position, side = b.position, 0
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if b.hasShapes and touch.haveFaces(b, i, j) then
     local box, ramp = touch.order(b, i, j)
     side = touch.sideBefore(b, box, ramp, position, b.size, position)
     side = box == i and side or OPPOSITE[side]
-  elseif b.hasRound and ball.isRolling(b, position, i, j) then
+  elseif b.hasRound and not areDynamic and ball.isRolling(b, position, i, j) then
     side = normalSide(b, position, i, j)
   else
     for axis = 1, 0, -1 do -- (x counts first)
