@@ -94,10 +94,12 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles the bodies that are connected with violated contacts, or all (`ofAll`), follows the
--- ground, and looks up the neighbours of the new paths. `isFirst`: before the first round.
+-- Settles the bodies that are connected with violated contacts, or all (`ofAll`, or after an impact
+-- of two that cannot give way: else a body may be pushed too far in a step), follows the ground,
+-- and looks up the neighbours of the new paths. `isFirst`: before the first round.
 local function settleLate(b, dt, isFirst, ofAll)
-  local settleAxis = ofAll and settle.axis or settle.again
+  local settleAxis = (ofAll or b.mustSettle) and settle.axis or settle.again
+  b.mustSettle = false
   settleAxis(b, b.contacts[b.downAxis], dt, true)
   settleAxis(b, b.contacts[1 - b.downAxis], dt, true)
   rounds.findChanged(b)

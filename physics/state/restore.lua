@@ -129,8 +129,10 @@ local function writeFields(b, st, objects)
       local x, y, width, height = list[at], list[at + 1], list[at + 2], list[at + 3]
       object.x, object.y, object.width, object.height = x, y, width, height
       local isStill = i and format.isTile(b, i, object, own) and format.isInPlace(b, i, object)
-      saved = not isStill and { x = x, y = y, width = width, height = height, static = true }
-      at = at + 4
+      saved, at = nil, at + 4
+      if not isStill then
+        saved = { x = x, y = y, width = width, height = height, static = true }
+      end
     end
     if saved then
       odd[#odd + 1] = n
