@@ -94,14 +94,13 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles the bodies that are connected with violated contacts, or all (`ofAll`, or after an impact
--- of two that cannot give way: else a body may be pushed too far in a step), follows the ground,
--- and looks up the neighbours of the new paths. `isFirst`: before the first round.
-local function settleLate(b, dt, isFirst, ofAll)
-  local settleAxis = (ofAll or b.mustSettle) and settle.axis or settle.again
-  b.mustSettle = false
+-- Settles the bodies that are connected with violated contacts, or all (`mustSettle`), follows the
+-- ground, and looks up the neighbours of the new paths. `isFirst`: before the first round.
+local function settleLate(b, dt, isFirst)
+  local settleAxis = b.mustSettle and settle.axis or settle.again
   settleAxis(b, b.contacts[b.downAxis], dt, true)
   settleAxis(b, b.contacts[1 - b.downAxis], dt, true)
+  b.mustSettle = false
   rounds.findChanged(b)
   if b.walks then
     walk.run(b, dt, isFirst)
@@ -117,7 +116,8 @@ local function pressRound(b, dt, isFirst)
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
-      settleLate(b, dt, false, true) -- so that contacts are exactly flush again
+      b.mustSettle = true -- so that contacts are exactly flush again
+      settleLate(b, dt, false)
     elseif n > 1 or not isFirst then
       return
     end
@@ -127,7 +127,7 @@ end
 -- Makes the stages before the first round: settles the bodies that touch when the step begins,
 -- corrects corners, follows the ground, and solves slanted contacts.
 local function prepare(b, dt)
-  b.solveStamp, b.isTight = b.solveStamp + 1, false
+  b.solveStamp, b.mustSettle, b.isTight = b.solveStamp + 1, false, false
   b.blockedCount, b.changedCount, b.dirtyStamp = 0, 0, b.dirtyStamp + 1
   b.contacts[0].isFresh, b.contacts[1].isFresh = true, true
   flow.begin(b)
@@ -139,7 +139,7 @@ local function prepare(b, dt)
   if b.hasAids then
     nudgeTouching(b, dt)
   end
-  settleLate(b, dt, true, false) -- friction, or crushed circles, may have violated other contacts
+  settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
   pressRound(b, dt, true)
 end
 
@@ -155,7 +155,7 @@ local function runRounds(b, dt, awakenings)
     if b.walks then
       walk.run(b, dt, false)
     end
-    settleLate(b, dt, false, false)
+    settleLate(b, dt, false)
     pressRound(b, dt, false)
   end
   return b.overlapCount > 0 or b.isTight
