@@ -178,11 +178,9 @@ end
 -- heap rest in each other by less than IN of the smaller size.)
 local function isWedged(b, i, axis)
   for _, j, p in links.neighbours(b, i) do
-    if b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis then
-      local isDeep = ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j)
-      if isDeep or ball.isCaught(b, p) then
-        return true
-      end
+    local isOn = b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis
+    if isOn and ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j) then
+      return true
     end
   end
   return false

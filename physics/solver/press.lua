@@ -25,12 +25,11 @@
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
--- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `remember` in
--- slant), of which passes take back a part that is too much. So 16 passes are enough for a heap
--- that is 18 bodies deep.
--- Only bodies that are connected with a new or violated plane are solved again. A solve presses
--- several times: planes keep their pushes from call to call, rows of axis contacts begin at 0.
--- Contacts along an axis are settled before and after.
+-- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `slant.tell`), of
+-- which passes take back a part that is too much. So 16 passes are enough for a heap that is 18
+-- bodies deep. Only bodies that are connected with a new or violated plane are solved again. A
+-- solve presses several times: planes keep their pushes from call to call, rows of axis contacts
+-- begin at 0. Contacts along an axis are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
 -- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
@@ -398,8 +397,7 @@ end
 
 -- Returns whether body k has hardly moved on its axis, and hardly moves.
 local function isStill(b, k)
-  local rest = path.rest(b, k)
-  local x, u = b.to[k] - b.origin[k] - rest * b.dt, (b.speed[k] - rest) * b.dt
+  local x, u = path.motion(b, k), (b.speed[k] - path.rest(b, k)) * b.dt
   return max(x, -x, u, -u) <= EPSILON
 end
 

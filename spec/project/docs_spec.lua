@@ -160,3 +160,41 @@ it("ARCHITECTURE and CONTRIBUTING name functions and columns where they are #fil
     assert.is_truthy(text:find(word), name .. " in " .. file)
   end
 end)
+
+-- How the pages write some numbers.
+local WORDS = { [3] = "three", [0.25] = "a quarter", [0.0625] = "a sixteenth" }
+
+-- Returns the value of a constant of a file of the core.
+local function constant(name, file)
+  for _, path in ipairs(files.list("find ./physics -name '" .. file .. "'")) do
+    for names, values in snippets.read(path):gmatch("local ([%u_, ]+) = ([^\n]+)") do
+      local value = values:gmatch("[^,]+")
+      for known in names:gmatch("[%u_]+") do
+        local text = value()
+        if known == name then
+          return tonumber(text)
+        end
+      end
+    end
+  end
+end
+
+it("ARCHITECTURE says what the constants are that bound a step #files", function()
+  local count = 0
+  for said, cell in snippets.read("ARCHITECTURE.md"):gmatch("\n|[^|\n]+|([^|\n]+)|([^|\n]+)|") do
+    for names, file in cell:gmatch("([`%u_, ]+) in `([%w]+%.lua)`") do
+      for name in names:gmatch("`([%u_]+)`") do
+        local value = constant(name, file)
+        local isSaid = said:find("%f[%w.]" .. tostring(value):gsub("%.", "%%.") .. "%f[^%w.]")
+        assert.is_truthy(isSaid or said:find(WORDS[value] or "?", 1, true), name .. " in " .. file)
+        count = count + 1
+      end
+    end
+  end
+  assert.equal(10, count)
+end)
+
+it("the page State names the version of a state #files", function()
+  local version = require("physics.memory.layout").VERSION
+  assert.equal(version, tonumber(snippets.read("docs/state.md"):match("version must be (%d+)")))
+end)
