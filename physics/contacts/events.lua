@@ -178,9 +178,10 @@ end
 -- heap rest in each other by less than IN of the smaller size.)
 local function isWedged(b, i, axis)
   for _, j, p in links.neighbours(b, i) do
-    local isOn = b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis
-    if isOn and ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j) then
-      return true
+    if b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis then
+      if ball.isCaught(b, p) or ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j) then
+        return true
+      end
     end
   end
   return false
