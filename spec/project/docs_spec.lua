@@ -168,12 +168,12 @@ local WORDS = { [3] = "three", [0.25] = "a quarter", [0.0625] = "a sixteenth" }
 local function constant(name, file)
   for _, path in ipairs(files.list("find ./physics -name '" .. file .. "'")) do
     for names, values in snippets.read(path):gmatch("local ([%u_, ]+) = ([^\n]+)") do
-      local value = values:gmatch("[^,]+")
       for known in names:gmatch("[%u_]+") do
-        local text = value()
+        local text, rest = values:match("^([^,]*),?(.*)$")
         if known == name then
           return tonumber(text)
         end
+        values = rest
       end
     end
   end
@@ -185,7 +185,8 @@ it("ARCHITECTURE says what the constants are that bound a step #files", function
     for names, file in cell:gmatch("([`%u_, ]+) in `([%w]+%.lua)`") do
       for name in names:gmatch("`([%u_]+)`") do
         local value = constant(name, file)
-        local isSaid = said:find("%f[%w.]" .. tostring(value):gsub("%.", "%%.") .. "%f[^%w.]")
+        local number = "[^%w.]" .. tostring(value):gsub("%.", "%%.") .. "[^%w.]"
+        local isSaid = (" " .. said .. " "):find(number)
         assert.is_truthy(isSaid or said:find(WORDS[value] or "?", 1, true), name .. " in " .. file)
         count = count + 1
       end
