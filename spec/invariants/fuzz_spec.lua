@@ -12,17 +12,16 @@ local physics = require("physics")
 local player = require("spec.fuzz.player")
 local shrink = require("spec.fuzz.shrink")
 local small = require("spec.support.small")
+local states = require("spec.support.states")
 local trial = require("spec.fuzz.trial")
 local watcher = require("spec.fuzz.watcher")
-local write = require("spec.fuzz.write")
 
 local long = effort.isFirst and it or pending
 
 local put = small.put
-local loadText = rawget(_G, "loadstring") or load
 
 local function reread(one)
-  return assert(loadText("return " .. write.value(one)))()
+  return states.read(states.write(one))
 end
 
 -- Returns how many steps a case has, of which none fails.
