@@ -33,8 +33,8 @@ local crowded = require("spec.fuzz.crowded")
 local games = require("spec.fuzz.games")
 local shrink = require("spec.fuzz.shrink")
 local sloped = require("spec.fuzz.sloped")
+local states = require("spec.support.states")
 local trial = require("spec.fuzz.trial")
-local write = require("spec.fuzz.write")
 
 local options = {
   seconds = 60,
@@ -81,7 +81,7 @@ local function report(seed, failed, failure)
   print(("FAILED  seed %d: %s: %s"):format(seed, failure.check, failure.text))
   local small, its = shrink.run(failed, failure, options.shrink, try)
   print(("        made small: %s: %s"):format(its.check, its.text))
-  print(write.value(small))
+  print(states.write(small))
   io.stdout:flush()
 end
 

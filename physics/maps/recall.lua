@@ -242,4 +242,13 @@ function recall.finish(world, st, layers, objects)
   end
 end
 
+require(root .. ".memory.compiler").leave(
+  recall.place,
+  snapshotOf,
+  recall.save,
+  recall.begin,
+  recall.find,
+  recall.finish
+)
+
 return recall

@@ -335,4 +335,6 @@ function restore.world(world, st)
   return sentence, new
 end
 
+require(root .. ".memory.compiler").leave(clear, emptyGroups)
+
 return restore

@@ -4,6 +4,7 @@
 --- they have to be.
 
 local newNumbers = require("spec.fuzz.numbers").new
+local small = require("spec.support.small")
 
 local crowded = {}
 
@@ -32,58 +33,33 @@ local function addBox(self, x, y)
   if random:chance(0.5) then
     width, height = unit, unit
   end
-  local id = self:add("boxes", {
-    x = x or random:between(0, self.width - width),
-    y = y or random:between(0, self.height - height),
-    width = width,
-    height = height,
-    mass = random:chance(0.3) and n:mass() or nil,
-    friction = random:chance(0.5) and random:between(0, 1) or nil,
-    pushable = random:chance(0.03) and false or nil,
-    drag = 30 * unit,
-  })
-  self.boxes[#self.boxes + 1] = id
+  x = x or random:between(0, self.width - width)
+  y = y or random:between(0, self.height - height)
+  local box = small.put(x, y, width, height, { drag = 30 * unit })
+  box.mass = random:chance(0.3) and n:mass() or nil
+  box.friction = random:chance(0.5) and random:between(0, 1) or nil
+  random:unit() -- (as when these seeds were chosen)
+  self.boxes[#self.boxes + 1] = self:add("boxes", box)
 end
 
 local function addWalls(self)
   local unit, width, height = self.n.unit, self.width, self.height
   local thick = self.n.random:pick({ 0.125, 1, 4 }) * unit
-  for _, wall in ipairs({
-    { -thick, -thick, thick, height + 2 * thick },
-    { width, -thick, thick, height + 2 * thick },
-    { 0, -thick, width, thick },
-    { 0, height, width, thick },
-  }) do
-    local object = { x = wall[1], y = wall[2], width = wall[3], height = wall[4], static = true }
-    self:add("walls", object)
-  end
+  self:add("walls", small.tile(-thick, -thick, thick, height + 2 * thick))
+  self:add("walls", small.tile(width, -thick, thick, height + 2 * thick))
+  self:add("walls", small.tile(0, -thick, width, thick))
+  self:add("walls", small.tile(0, height, width, thick))
 end
 
 -- A lift that comes out of a wall, a part of the way or nearly all of it.
 local function addLift(self, seconds)
   local random, width, height = self.n.random, self.width, self.height
-  local share = random:between(0.2, 0.95) / seconds
-  local lift = { kinematic = true, width = width, height = height }
-  local side = random:integer(1, 4)
-  lift.x, lift.y = side == 1 and -width or side == 2 and width or 0, 0
-  lift.vx = side == 1 and share * width or side == 2 and -share * width or nil
-  if side > 2 then
-    lift.y = side == 3 and -height or height
-    lift.vy = side == 3 and share * height or -share * height
-  end
+  local share, side = random:between(0.2, 0.95) / seconds, random:integer(1, 4)
+  local way, isX = side % 2 == 1 and 1 or -1, side < 3
+  local x, y = isX and -way * width or 0, not isX and -way * height or 0
+  local lift = small.put(x, y, width, height, { kinematic = true })
+  lift.vx, lift.vy = isX and way * share * width or nil, not isX and way * share * height or nil
   self.lifts[#self.lifts + 1] = self:add("lifts", lift)
-end
-
-local function grow(self)
-  local random, unit = self.n.random, self.n.unit
-  local size = random:between(0.5, 2.5) * unit
-  self:put({ "write", random:pick(self.boxes), { width = size, height = size } })
-end
-
-local function turnOff(self)
-  for _, id in ipairs(self.lifts) do
-    self:put({ "write", id, { vx = 0, vy = 0 } })
-  end
 end
 
 --- Makes the crowded case of a seed.
@@ -107,16 +83,18 @@ function crowded.new(seed, steps)
     addLift(self, steps * dt)
   end
   for _ = 1, steps do
-    if random:chance(busy) then
-      if random:chance(0.5) then
-        grow(self)
-      else
-        addBox(self)
-      end
+    local isBusy = random:chance(busy)
+    if isBusy and random:chance(0.5) then
+      local size = random:between(0.5, 2.5) * unit
+      self:put({ "write", random:pick(self.boxes), { width = size, height = size } })
+    elseif isBusy then
+      addBox(self)
     end
     self:put({ "update", dt })
   end
-  turnOff(self)
+  for _, id in ipairs(self.lifts) do
+    self:put({ "write", id, { vx = 0, vy = 0 } })
+  end
   self:put({ "calm", 0, 0, self.width, self.height })
   for _ = 1, math.ceil(CALM / dt) + QUIET do
     self:put({ "update", dt })
