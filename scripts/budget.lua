@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/fields", 683 },
   { "physics/maps", 2493 },
   { "physics/memory", 776 },
-  { "physics/motion", 992 },
+  { "physics/motion", 990 },
   { "physics/narrowphase", 567 },
   { "physics/objects", 1311 },
   { "physics/overlaps", 836 },
