@@ -17,9 +17,10 @@
 --                       no farther than FURTHEST in all, on each axis (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
---                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
---                       give way and no push is taken back, so that a heap does not sink. FURTHEST
---                       does not apply, and which rows touch is not found anew.
+--                    4. Under gravity 1 and 2 again for the places alone, SHOCKS passes in which
+--                       the lower body does not give way and no push is taken back, so that a heap
+--                       does not sink. (With speeds, momentum would be lost.) FURTHEST does not
+--                       apply, and which rows touch is not found anew.
 --                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
 --                       noted, and accelerations are found anew (`noteAll`).
 --
@@ -28,8 +29,9 @@
 -- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `slant.tell`), of
 -- which passes take back a part that is too much. So 16 passes are enough for a heap that is 18
 -- bodies deep. Only bodies that are connected with a new or violated plane are solved again. A
--- solve presses several times: planes keep their pushes from call to call, rows of axis contacts
--- begin at 0. Contacts along an axis are settled before and after.
+-- solve presses several times: planes keep their pushes from call to call, and under gravity the
+-- rows of axis contacts, too. (Where those of a floor began at 0, the part that a plane took back
+-- lifted the ball off it.) Contacts along an axis are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
 -- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
@@ -125,7 +127,10 @@ local function addContact(b, list, n, c)
   end
   s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
-  s.push[c], s.impulse[c], s.start[c], s.slop[c] = 0.0, 0.0, 0.0, EPSILON
+  local p = list.pair[n]
+  local isOld = not b.isWeightless and s.pushedAt[p] == b.solveStamp
+  s.pair[c], s.start[c], s.slop[c] = p, 0.0, EPSILON
+  s.push[c], s.impulse[c] = isOld and s.pushOf[p] or 0.0, isOld and s.impulseOf[p] or 0.0
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
   s.new[c - s.count] = c
   return true
@@ -298,8 +303,9 @@ local function limit(b, i)
   end
 end
 
+-- Returns whether row c touches, or has got a push (which shocks may have more than made good).
 local function isFlush(b, c)
-  return -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
+  return b.slants.push[c] > 0 or -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
 end
 
 -- Notes which rows touch at the end of the step.
@@ -357,7 +363,8 @@ local function noteAll(b)
   local s, inHeap = b.slants, b.heapWork.inHeap
   for n = 1, s.rows do
     local c = s.order[n]
-    local i, j = s.one[c], s.other[c]
+    local i, j, p = s.one[c], s.other[c], s.pair[c]
+    s.pushedAt[p], s.pushOf[p], s.impulseOf[p] = b.solveStamp, s.push[c], s.impulse[c]
     if s.isFlush[c] then
       note(b, i)
       note(b, j)
@@ -368,16 +375,11 @@ local function noteAll(b)
   end
 end
 
--- Solves the places, then the speeds.
-local function solve(b, passCount, isShock)
+-- Solves the places.
+local function solvePlaces(b, passCount, isShock)
   weigh(b, isShock)
   sweep(b, b.to, b.slants.push, passCount, false, isShock)
   leaveWalls(b, b.to, false)
-  if not isShock then
-    findFlush(b)
-  end
-  sweep(b, b.speed, b.slants.impulse, passCount, true, isShock)
-  leaveWalls(b, b.speed, true)
 end
 
 --- Pushes all pairs apart that end nearer to each other than they may be.
@@ -387,23 +389,22 @@ function press.run(b, ofAll)
     return
   end
   listWalls(b)
-  solve(b, PASSES, false)
+  solvePlaces(b, PASSES, false)
+  findFlush(b)
+  sweep(b, b.speed, b.slants.impulse, PASSES, true, false)
+  leaveWalls(b, b.speed, true)
   if not b.isWeightless then
-    solve(b, SHOCKS, true)
+    solvePlaces(b, SHOCKS, true)
   end
   forgetJams(b)
   noteAll(b)
 end
 
--- Returns whether body k has hardly moved on its axis, and hardly moves.
-local function isStill(b, k)
-  local x, u = path.motion(b, k), (b.speed[k] - path.rest(b, k)) * b.dt
-  return max(x, -x, u, -u) <= EPSILON
-end
-
--- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
+-- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
+-- creep, and a push of the shocks leaves it the speed that it had.
 local function rest(b, i)
-  if b.kind[i] == DYNAMIC and isStill(b, 2 * i) and isStill(b, 2 * i + 1) then
+  local x, y = path.motion(b, 2 * i), path.motion(b, 2 * i + 1)
+  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and max(x, -x, y, -y) <= EPSILON then
     path.putBack(b, i)
   end
 end

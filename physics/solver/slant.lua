@@ -57,6 +57,7 @@ function slant.begin(b)
     s.isNew, s.isFlush = {}, {} -- it was not solved yet; the two touch at the end of the step
     s.push, s.impulse = {}, {} -- by how much they are pushed apart: places, kg px; speeds, kg px/s
     s.start = {} -- impulse with which the passes begin, see `weigh` in press
+    s.pushedAt, s.pushOf, s.impulseOf = {}, {}, {} -- by pair: the solve of these pushes, see press
     s.height, s.first, s.second, s.new = {}, {}, {}, {} -- the order, see `listRows` in press
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
