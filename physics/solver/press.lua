@@ -18,9 +18,9 @@
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
 --                    4. Under gravity 1 and 2 again for the places alone, SHOCKS passes in which
---                       the lower body does not give way and no push is taken back, so that a heap
---                       does not sink. (With speeds, momentum would be lost.) FURTHEST does not
---                       apply, and which rows touch is not found anew.
+--                       the lower body does not give way, so that a heap does not sink. (With
+--                       speeds, momentum would be lost.) Their pushes begin at 0 and are not noted,
+--                       FURTHEST does not apply, and which rows touch is not found anew.
 --                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
 --                       noted, and accelerations are found anew (`noteAll`).
 --
@@ -192,7 +192,7 @@ local function weigh(b, isShock)
     end
     local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
-    s.total[c] = nx * (dx + ex) + ny * (dy + ey)
+    s.total[c], s.lift[c] = nx * (dx + ex) + ny * (dy + ey), 0.0
     if s.start[c] ~= 0 then
       s.push[c], s.impulse[c] = s.start[c] * b.dt, s.start[c]
       pushApart(b.to, s, c, s.push[c])
@@ -204,7 +204,7 @@ end
 
 -- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
 -- of each row so far. A row whose bodies have left each other again takes its push back.
-local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
+local function sweep(b, column, sum, passCount, isOfSpeeds)
   local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
   local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
@@ -216,7 +216,7 @@ local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
         local k, m = 2 * one[c], 2 * other[c]
         local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
         local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
-        local more = max(want, isShock and 0.0 or -sum[c])
+        local more = max(want, -sum[c])
         sum[c] = sum[c] + more
         if more ~= 0 then
           column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
@@ -375,26 +375,27 @@ local function noteAll(b)
   end
 end
 
--- Solves the places.
-local function solvePlaces(b, passCount, isShock)
-  weigh(b, isShock)
-  sweep(b, b.to, b.slants.push, passCount, false, isShock)
-  leaveWalls(b, b.to, false)
+-- Makes passes over a column, with walls last.
+local function solve(b, column, sum, passCount, isOfSpeeds)
+  sweep(b, column, sum, passCount, isOfSpeeds)
+  leaveWalls(b, column, isOfSpeeds)
 end
 
 --- Pushes all pairs apart that end nearer to each other than they may be.
 function press.run(b, ofAll)
+  local s = b.slants
   listRows(b, ofAll)
-  if b.slants.rows == 0 then
+  if s.rows == 0 then
     return
   end
   listWalls(b)
-  solvePlaces(b, PASSES, false)
+  weigh(b, false)
+  solve(b, b.to, s.push, PASSES, false)
   findFlush(b)
-  sweep(b, b.speed, b.slants.impulse, PASSES, true, false)
-  leaveWalls(b, b.speed, true)
+  solve(b, b.speed, s.impulse, PASSES, true)
   if not b.isWeightless then
-    solvePlaces(b, SHOCKS, true)
+    weigh(b, true)
+    solve(b, b.to, s.lift, SHOCKS, false)
   end
   forgetJams(b)
   noteAll(b)

@@ -55,7 +55,8 @@ function slant.begin(b)
     s.slop = {} -- px by which they may be nearer
     s.time, s.speed = {}, {} -- when they meet, and how fast
     s.isNew, s.isFlush = {}, {} -- it was not solved yet; the two touch at the end of the step
-    s.push, s.impulse = {}, {} -- by how much they are pushed apart: places, kg px; speeds, kg px/s
+    -- By how much they are pushed apart: places, kg px; speeds, kg px/s; places by shocks, kg px.
+    s.push, s.impulse, s.lift = {}, {}, {}
     s.start = {} -- impulse with which the passes begin, see `weigh` in press
     s.pushedAt, s.pushOf, s.impulseOf = {}, {}, {} -- by pair: the solve of these pushes, see press
     s.height, s.first, s.second, s.new = {}, {}, {}, {} -- the order, see `listRows` in press
