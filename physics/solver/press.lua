@@ -305,7 +305,8 @@ end
 
 -- Returns whether row c touches, or has got a push (which shocks may have more than made good).
 local function isFlush(b, c)
-  return b.slants.push[c] > 0 or -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
+  local isPushed = not b.isWeightless and b.slants.push[c] > 0
+  return isPushed or -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
 end
 
 -- Notes which rows touch at the end of the step.
