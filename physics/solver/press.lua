@@ -21,8 +21,7 @@
 --                       the lower body does not give way, so that a heap does not sink. (With
 --                       speeds, momentum would be lost.) Their pushes begin at 0 and are not noted,
 --                       FURTHEST does not apply, and which rows touch is not found anew.
---                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
---                       noted, and accelerations are found anew (`noteAll`).
+--                    5. Pushes are noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
@@ -64,9 +63,6 @@ local EAGER = 1.2
 local LEFT, DEEPEST = 5, 0.12
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
--- Share of the smaller size that two are in each other after all passes, or would be in the next
--- step, if there is no room.
-local JAMMED = 0.05
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins; px/s, of rounding.
@@ -321,24 +317,6 @@ local function findFlush(b)
   end
 end
 
--- Clears the pushes of the rows of bodies without room: between immovable ones, each pass has
--- pushed such a body to and fro.
-local function forgetJams(b)
-  local s = b.slants
-  for n = 1, s.rows do
-    local c = s.order[n]
-    local i, j = s.one[c], s.other[c]
-    if depthOf(b, c) > JAMMED * ball.smallest(b, i, j) then
-      s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
-    end
-  end
-  for c = 1, s.count do
-    if s.jamAt[s.one[c]] == s.stamp or s.jamAt[s.other[c]] == s.stamp then
-      s.push[c], s.impulse[c] = 0.0, 0.0
-    end
-  end
-end
-
 -- Gives body k the acceleration with which it comes to its place with its speed, tau s after its
 -- path began there; at most `most`.
 local function accelerate(b, k, tau, most)
@@ -398,7 +376,6 @@ function press.run(b, ofAll)
     weigh(b, true)
     solve(b, b.to, s.lift, SHOCKS, false)
   end
-  forgetJams(b)
   noteAll(b)
 end
 
