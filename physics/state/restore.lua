@@ -254,8 +254,7 @@ local function restoreContacts(b, st, objects)
       or links.link(b, slotOf[one], slotOf[other])
     local isSwapped = b.pairA[p] ~= slotOf[one]
     for c = 1, #PAIRS do
-      local value = list[at + 1 + c]
-      b[PAIRS[c][1]][p] = isSwapped and PAIRS[c][3][value] or value
+      b[PAIRS[c][1]][p] = format.turned(c, list[at + 1 + c], isSwapped)
     end
     b.contactCount = b.contactCount + min(b.contact[p], 1)
   end
