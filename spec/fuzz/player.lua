@@ -338,9 +338,8 @@ function acts.reload(player)
   end
 end
 
--- What plays several worlds makes the copy, and watches for rest.
+-- What plays several worlds makes the copy.
 function acts.twin() end
-function acts.calm() end
 
 function acts.update(player, dt)
   if player.inside then
