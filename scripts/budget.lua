@@ -22,7 +22,7 @@ local BUDGET = {
   { "physics/queries", 969 },
   { "physics/sleep", 81 },
   { "physics/solver", 3397 },
-  { "physics/space", 508 },
+  { "physics/space", 505 },
   { "physics/state", 973 },
   { "physics/world", 1365 },
 }
