@@ -6,6 +6,7 @@
 
 local checks = require("spec.fuzz.checks")
 local player = require("spec.fuzz.player")
+local small = require("spec.support.small")
 
 -- Runs no slower without the trace compiler, which has too many loops to see here.
 local jit = rawget(_G, "jit")
@@ -127,7 +128,7 @@ function Trial:act(act)
   elseif act[1] == "twin" then
     self.twins = self.twins + 1
     self.twin = player.copy(self.tried, TWINS[self.twins % #TWINS + 1])
-    self.twin.told, self.hasTwinStepped = player.copyOf(self.tried.told), false
+    self.twin.told, self.hasTwinStepped = small.copy(self.tried.told), false
     return
   end
   self.tried:act(act)
