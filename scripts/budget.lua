@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/fields", 672 },
   { "physics/maps", 2481 },
   { "physics/memory", 776 },
-  { "physics/motion", 992 },
+  { "physics/motion", 990 },
   { "physics/narrowphase", 567 },
   { "physics/objects", 1309 },
   { "physics/overlaps", 836 },
