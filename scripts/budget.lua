@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 629 },
   { "physics/contacts", 384 },
   { "physics/fields", 672 },
-  { "physics/maps", 2484 },
+  { "physics/maps", 2483 },
   { "physics/memory", 776 },
   { "physics/motion", 990 },
   { "physics/narrowphase", 567 },
@@ -22,7 +22,7 @@ local BUDGET = {
   { "physics/queries", 964 },
   { "physics/sleep", 81 },
   { "physics/solver", 3397 },
-  { "physics/space", 498 },
+  { "physics/space", 505 },
   { "physics/state", 959 },
   { "physics/world", 1358 },
 }
