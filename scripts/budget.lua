@@ -12,19 +12,19 @@ local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 629 },
   { "physics/contacts", 384 },
-  { "physics/fields", 672 },
-  { "physics/maps", 2483 },
+  { "physics/fields", 670 },
+  { "physics/maps", 2477 },
   { "physics/memory", 776 },
   { "physics/motion", 990 },
   { "physics/narrowphase", 567 },
   { "physics/objects", 1309 },
   { "physics/overlaps", 836 },
-  { "physics/queries", 964 },
+  { "physics/queries", 961 },
   { "physics/sleep", 81 },
   { "physics/solver", 3397 },
   { "physics/space", 505 },
   { "physics/state", 959 },
-  { "physics/world", 1358 },
+  { "physics/world", 1357 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
