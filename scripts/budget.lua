@@ -19,7 +19,7 @@ local BUDGET = {
   { "physics/narrowphase", 567 },
   { "physics/objects", 1309 },
   { "physics/overlaps", 836 },
-  { "physics/queries", 961 },
+  { "physics/queries", 962 },
   { "physics/sleep", 81 },
   { "physics/solver", 3397 },
   { "physics/space", 505 },
