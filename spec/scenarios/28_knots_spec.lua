@@ -195,6 +195,13 @@ describe("x, y, vx and vy: a knot of a random game", function()
         .. "o 47 145 12 -51 - pair, b -64 180 368 - - wall",
     },
     {
+      "a ball presses a box into another one, which had an impact before",
+      60,
+      1,
+      "o 585 347.365 24 110 - strong, b 599.04 326.555 20 -38 72 pair, o 629 347 22 -86 3,"
+        .. "b 609 346.633 20 -65 8 pair, o 612 366.6 34 -65 -49 heavy",
+    },
+    {
       "two that others press into each other in the step leave each other",
       30,
       1,
