@@ -15,7 +15,6 @@
 ---     { "fail" }                            only inside a callback
 ---     { "reload" }                          restores what it saves, only in the tried world
 ---     { "twin" }                            from here on a restored copy goes along
----     { "calm", x1, y1, x2, y2 }            nothing drives it any more (spec/fuzz/crowded.lua)
 ---     { "update", dt }
 
 local newNumbers = require("spec.fuzz.numbers").new

@@ -2,7 +2,7 @@
 --- long as the same check fails.
 --- Source: A. Zeller, R. Hildebrandt, "Simplifying and isolating failure-inducing input" (2002).
 
-local copyOf = require("spec.fuzz.player").copyOf
+local copyOf = require("spec.support.small").copy
 local trial = require("spec.fuzz.trial")
 
 local floor = math.floor
