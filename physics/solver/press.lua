@@ -360,7 +360,7 @@ local function solve(b, column, sum, passCount, isOfSpeeds)
   leaveWalls(b, column, isOfSpeeds)
 end
 
---- Pushes new planes apart, violated ones of changed bodies (`ofAll`: of all), and all rows of bodies
+--- Pushes new planes apart, violated ones of changed bodies (`ofAll`: of all), and rows of bodies
 --- that these connect.
 function press.run(b, ofAll)
   local s = b.slants
