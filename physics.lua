@@ -15,7 +15,7 @@
 
 local path = ...
 local compiler = require(path .. ".memory.compiler")
-local world = compiler.load(path .. ".world.world", path)
+local world = compiler.load(path .. ".world.world")
 local check = require(path .. ".fields.check")
 local keyOrder = require(path .. ".memory.keyOrder")
 local lazy = require(path .. ".memory.lazy")

@@ -8,7 +8,7 @@ set -uo pipefail
 . scripts/debian.sh
 
 # Each of these takes more than two minutes there.
-slow='debugging_bad_input|fuzz|properties|recovery|state|0[135-9]_\w+|1[02357]_\w+|16_nudge'
+slow='debugging_bad_input|fuzz|recovery|state|0[135-9]_\w+|1[02357]_\w+|16_nudge'
 place=$PWD/build/arm64
 
 unpack() {

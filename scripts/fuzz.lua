@@ -1,10 +1,7 @@
 -- Random games (spec/fuzz/), checked after every step, until the time is over:
 --
 --   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going]
---     [--bounds NAMES] [--slopes]
---
--- `--bounds all`, or some of motion,past,rest (spec/fuzz/bounds.lua): these are checked, too,
--- and every second game is one with too little room (spec/fuzz/crowded.lua).
+--     [--slopes]
 --
 -- `--slopes`: games with slopes (spec/fuzz/sloped.lua).
 --
@@ -27,14 +24,12 @@ end
 
 require("spec.support.pairs")
 
-local bounds = require("spec.fuzz.bounds")
 local case = require("spec.fuzz.case")
-local crowded = require("spec.fuzz.crowded")
 local games = require("spec.fuzz.games")
 local shrink = require("spec.fuzz.shrink")
 local sloped = require("spec.fuzz.sloped")
+local states = require("spec.support.states")
 local trial = require("spec.fuzz.trial")
-local write = require("spec.fuzz.write")
 
 local options = {
   seconds = 60,
@@ -43,45 +38,20 @@ local options = {
   ["keep-going"] = false,
   shrink = 30,
   case = "",
-  bounds = "",
   slopes = false,
   game = "",
   games = 100,
 }
 
--- The checks of bounds that were asked for, nil: none.
-local function readBounds(text)
-  local known, chosen = table.concat(bounds.NAMES, ","), nil
-  for name in (text == "all" and known or text):gmatch("[^,]+") do
-    if not ("," .. known .. ","):find("," .. name .. ",", 1, true) then
-      error("--bounds knows " .. known .. ", not " .. name, 0)
-    end
-    chosen = chosen or {}
-    chosen[name] = true
-  end
-  return chosen
-end
-
-local chosen -- checks of bounds
-
-local function try(one)
-  return trial.run(one, chosen)
-end
-
 local function newCase(seed)
-  if options.slopes then
-    return sloped.new(seed, options.steps)
-  elseif chosen and seed % 2 == 0 then
-    return crowded.new(seed, options.steps)
-  end
-  return case.new(seed, options.steps)
+  return (options.slopes and sloped or case).new(seed, options.steps)
 end
 
 local function report(seed, failed, failure)
   print(("FAILED  seed %d: %s: %s"):format(seed, failure.check, failure.text))
-  local small, its = shrink.run(failed, failure, options.shrink, try)
+  local small, its = shrink.run(failed, failure, options.shrink, trial.run)
   print(("        made small: %s: %s"):format(its.check, its.text))
-  print(write.value(small))
+  print(states.write(small))
   io.stdout:flush()
 end
 
@@ -90,7 +60,7 @@ local function run()
   local stop = os.time() + options.seconds
   repeat
     local one = newCase(seed)
-    local failure, count = try(one)
+    local failure, count = trial.run(one)
     played, steps = played + 1, steps + count
     if failure then
       failed = failed + 1
@@ -112,7 +82,7 @@ local function replay(path)
   local file = assert(io.open(path))
   local chunk = assert((loadstring or load)("return " .. file:read("*a")))
   file:close()
-  local failure = try(chunk())
+  local failure = trial.run(chunk())
   if failure then
     print(("%s: %s (act %d)"):format(failure.check, failure.text, failure.at))
   end
@@ -144,7 +114,6 @@ require("scripts.options")(options, arg)
 if options.game ~= "" then
   os.exit(playKinds(options.game == "all" and games.kinds or { options.game }) and 0 or 1)
 end
-chosen = readBounds(options.bounds)
 if options.case ~= "" then
   os.exit(replay(options.case) and 0 or 1)
 end

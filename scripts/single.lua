@@ -27,7 +27,6 @@ local HEAD = [[
 %s
 
 local modules, loaded = {}, {}
-local package = { loaded = loaded } -- of these modules (see memory/compiler.lua)
 
 -- The modules' own: it finds what is in this file, and LuaJIT's FFI.
 local outer = require

@@ -13,7 +13,7 @@ package.path = "./?.lua;" .. package.path
 
 local busy = require("spec.support.busy")
 local files = require("spec.support.files")
-local write = require("spec.fuzz.write")
+local states = require("spec.support.states")
 
 local PATH = "build/soak.lua"
 -- What the last part may need, compared with the one at half time.
@@ -23,8 +23,7 @@ local options = { steps = 1000000, part = 100000, resume = "" }
 
 local function store(world, n)
   os.execute("mkdir -p build")
-  local state = { step = n, state = world:save() }
-  files.write(PATH, "return " .. write.value(state) .. "\n")
+  files.write(PATH, "return " .. states.write({ step = n, state = world:save() }) .. "\n")
 end
 
 local function play(world, from, to)

@@ -625,3 +625,11 @@ describe("canCollide", function()
     end)
   end
 end)
+
+it("width: denormal ones tell thin boxes at the same place apart", function()
+  local world = physics.newWorld({ gravity = 100 })
+  local thin = world:add("a", { x = 1e-310, y = 0, width = 1e-7, height = 10 })
+  world:add("a", { x = 0, y = 0, width = 10, height = 10 })
+  world:update(1 / 60)
+  assert.is_true(thin.y > 0)
+end)

@@ -47,7 +47,7 @@ local function damage(map, generator)
     local places = placesOf(map, {}, {})
     local place = generator:pick(places)
     local value = generator:pick(DAMAGE)
-    place[1][place[2]] = value ~= NONE and tiled.copy(value) or nil
+    place[1][place[2]] = value ~= NONE and small.copy(value) or nil
   end
 end
 
@@ -68,7 +68,7 @@ small.rows(
     for seed = 1, effort.share(300, 100) do
       local generator = random.new(seed * 31)
       local n = generator:integer(1, 4)
-      local map = n == 4 and tiled.sti(MAPS[2]) or tiled.copy(MAPS[n])
+      local map = n == 4 and tiled.sti(MAPS[2]) or small.copy(MAPS[n])
       map = kind == "LDtk" and ldtk.cave() or map
       local options = { strict = generator:chance(0.2) }
       damage(map, generator)

@@ -68,7 +68,7 @@ describe("world:loadLDtk", function()
 
   it("adds entities by their pivot, to the group of their identifier, named and kept", function()
     local project = newProject()
-    local before = tiled.copy(project)
+    local before = small.copy(project)
     local level, world =
       load(project, nil, { kinds = { Player = "dynamic" }, solid = { dirt = true, stone = true } })
     assert.equal(

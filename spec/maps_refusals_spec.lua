@@ -37,7 +37,7 @@ end
 --- that ends in "…" is only its beginning: the rest is of the Lua that runs.
 local function refuses(expected, name, ...)
   local world, given = newWorld(), { ... }
-  local before = tiled.copy(world.objects)
+  local before = small.copy(world.objects)
   local isDone, message = pcall(function()
     world[name](world, given[1], given[2], given[3], given[4], given[5])
   end)

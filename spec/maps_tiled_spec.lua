@@ -74,7 +74,7 @@ describe("world:loadTiled, layers", function()
     local first = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
     local given = things({ box(0), box(9) }, { properties = { mask = mask } })
     given.layers[2] = tiled.objects(2, "empty", {})
-    local before = tiled.copy(given)
+    local before = small.copy(given)
     local level = world:loadTiled(given, { kinds = { things = "dynamic" } })
     local one, other = level.objects[1], level.objects[2]
     assert.same({ first, one, other }, world.objects.things)

@@ -266,7 +266,7 @@ describe("world:loadTiled, packed layers", function()
   local NEITHER = "nothing here can unpack it; "
 
   local function packed(compression, data)
-    local map = tiled.copy(PLAIN)
+    local map = small.copy(PLAIN)
     map.layers[1].compression, map.layers[1].data = compression, data or map.layers[1].data
     return map
   end

@@ -6,16 +6,13 @@ local costOf = require("spec.support.instructions")
 local physics = require("physics")
 local random = require("spec.support.random")
 local small = require("spec.support.small")
+local tiled = require("spec.support.tiled")
 
 local DT = 1 / 60
 
 --- The objects of a group, "x y width height; …".
 local function boxes(world, group)
-  local list = {}
-  for i, object in ipairs(world.objects[group or "tiles"] or {}) do
-    list[i] = ("%.14g %.14g %.14g %.14g"):format(object.x, object.y, object.width, object.height)
-  end
-  return table.concat(list, "; ")
+  return table.concat(tiled.boxes(world, group or "tiles"), "; ")
 end
 
 local function newWorld()
@@ -300,14 +297,6 @@ describe("world:addTiles", function()
     return picture
   end
 
-  local function copied(rows)
-    local list = {}
-    for i, value in ipairs(rows) do
-      list[i] = type(value) == "table" and copied(value) or value
-    end
-    return list
-  end
-
   for seed = 1, effort.share(12, 4) do
     it("covers each cell once, however it is dug, seed " .. seed, function()
       local generator = random.new(seed * 13)
@@ -324,7 +313,7 @@ describe("world:addTiles", function()
           world:update(DT)
         end
         if turn == 50 then
-          saved, savedPicture = world:save(), copied(picture)
+          saved, savedPicture = world:save(), small.copy(picture)
         elseif turn == 75 then
           tiles:unload(generator:integer(1, 9)) -- it is dug meanwhile
         elseif turn == 79 then
@@ -374,8 +363,6 @@ describe("world:addTiles", function()
       end
     end)
   end
-
-  -- Rollback --------------------------------------------------------------------------------------
 
   -- Coming and going ------------------------------------------------------------------------------
 

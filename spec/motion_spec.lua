@@ -150,3 +150,11 @@ end, {
   { "the same under gravity", 1200, 0, 600 },
   { "what a heavy one strikes", 1200, -900, 100 },
 })
+
+-- 45 degrees. (A wall takes what goes into it, a slope does not.)
+local RAMP = scene.maker("ramps", { static = true, slope = "left" })("ramp", -20, 0, 800, 800)
+local MARBLE = box({ y = 30 - 10 - 200 ^ 0.5, radius = 10, maxSpeed = 200 })
+row("maxSpeed: nor is a ball that rolls down a slope", LEVELS, { gravity = 800, RAMP, MARBLE }, {
+  { 1, "a.vx ^ 2 + a.vy ^ 2 <= 200 ^ 2 + 1e-6" },
+  "a.vx ^ 2 + a.vy ^ 2 > 190 ^ 2; a.touching.bottom == ramp",
+})

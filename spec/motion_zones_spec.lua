@@ -37,6 +37,14 @@ describe("area: a zone", function()
     { "wind besides gravity", { ax = 40, ay = -760 }, 20, 20 },
   })
 
+  -- (Without gravity the slope would be a wall.)
+  local UP = scene.maker("slopes", { static = true, slope = "right" })("slope", 100, 200, 300, 150)
+  local WALKER = { gravity = 0, zone({ gravity = 800 }), UP, body({ y = 230 }) }
+  play.row("area.gravity: leads up a slope", RATES, WALKER, {
+    { 1, keep = "body.vx = 100", "body.vx == 100", "body.vy >= 0" },
+    "body at 280, 230",
+  })
+
   -- k = 2 and 40 px/s² off 100 px/s: to -20 px/s, if it did not stop
   local SLOWED = body({ y = 200, vx = 100, airFriction = 0.5, drag = 10 })
   local MUD = zone({ gravity = 0, airFriction = 1.5, drag = 30 })

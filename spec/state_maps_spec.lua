@@ -7,6 +7,7 @@ local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local small = require("spec.support.small")
 local states = require("spec.support.states")
+local tiled = require("spec.support.tiled")
 
 effort.interpretQuickly(setup, teardown)
 
@@ -98,22 +99,13 @@ describe("world:restore, a level of several maps", function()
 end)
 
 describe("world:restore, what a map has loaded", function()
-  local function item(id, name)
-    local object = { id = id, name = name, shape = "rectangle", rotation = 0, properties = {} }
-    object.x, object.y, object.width, object.height = 20 * id, 20, 8, 8
-    return object
-  end
-
   local function newWorld(ids, x)
     local names, items = { "key", "potion", "map" }, {}
     for n, id in ipairs(ids) do
-      items[n] = item(id, names[id])
+      items[n] = tiled.object(id, 20 * id, 20, 8, 8, { name = names[id] })
     end
-    local layers = { { type = "objectgroup", name = "items", objects = items } }
-    local map = { width = 9, height = 5, tilewidth = 16, tileheight = 16, tilesets = {} }
-    map.layers = layers
     local world = physics.newWorld()
-    return world, world:loadTiled(map, { x = x })
+    return world, world:loadTiled(tiled.map({}, { tiled.objects(1, "items", items) }), { x = x })
   end
 
   local function show(world)
@@ -294,8 +286,7 @@ end)
 
 local COLUMNS, ROWS, SIZE, COUNT = 12, 8, 16, 4 -- of a room; px; rooms
 local WIDTH = COLUMNS * SIZE
-local TILESET = { name = "set", firstgid = 1, tilecount = 3, tilewidth = SIZE, tileheight = SIZE }
-TILESET.tiles = { { id = 1, properties = { friction = 0.1 } } }
+local TILESET = tiled.tileset({ { id = 1, properties = { friction = 0.1 } } }, { tilecount = 3 })
 
 local function newCells(random)
   local data = {}
@@ -311,18 +302,15 @@ local function newRoom(random)
   local things = {}
   for id = 1, random:integer(2, 6) do
     local x, y = random:integer(0, WIDTH - 12), random:integer(0, 60)
-    local thing = { id = id, name = "thing" .. id, shape = "rectangle", rotation = 0 }
-    thing.type, thing.x, thing.y = random:pick({ "Coin", "Crate" }), x, y
-    thing.width, thing.height = random:integer(6, 12), random:integer(6, 12)
-    thing.properties = { mass = thing.type == "Crate" and 2 or nil }
-    things[id] = thing
+    local fields = { name = "thing" .. id, type = random:pick({ "Coin", "Crate" }) }
+    fields.properties = { mass = fields.type == "Crate" and 2 or nil }
+    local width, height = random:integer(6, 12), random:integer(6, 12)
+    things[id] = tiled.object(id, x, y, width, height, fields)
   end
   local ground = { type = "tilelayer", name = "Ground", id = 1, width = COLUMNS, height = ROWS }
   ground.data = newCells(random)
-  local layers = { ground, { type = "objectgroup", name = "Things", id = 2, objects = things } }
-  local map = { width = COLUMNS, height = ROWS, tilewidth = SIZE, tileheight = SIZE }
-  map.layers, map.tilesets = layers, { TILESET }
-  return map
+  local layers = { ground, tiled.objects(2, "Things", things) }
+  return tiled.map({ TILESET }, layers, { width = COLUMNS, height = ROWS })
 end
 
 -- Returns the rooms and the earth of a seed: what is the same in all its worlds.

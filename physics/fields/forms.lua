@@ -84,4 +84,6 @@ for _, row in ipairs(fields.columned) do
   layout.add(row.column, absent, row.axis ~= nil, row.moves, isPlain)
 end
 
+require(root .. ".memory.compiler").leave(forms.isSame, forms.copy)
+
 return forms

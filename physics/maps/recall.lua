@@ -12,7 +12,6 @@ local cells = require(root .. ".maps.cells")
 local keyOrder = require(root .. ".memory.keyOrder")
 local properties = require(root .. ".maps.properties")
 
-local max, min = math.max, math.min
 local NONE = {}
 
 local recall = {}
@@ -126,7 +125,7 @@ local function saveNames(maps, loaded, objects, count)
       loaded[at + 1], loaded[at + 2], at = n, names[n], at + 2
     end
   end
-  for k = max(#known, #loaded), min(count, at) + 1, -1 do
+  for k = math.max(#known, #loaded), math.min(count, at) + 1, -1 do
     known[k], loaded[k] = k <= count and known[k] or nil, k <= at and loaded[k] or nil
   end
 end
@@ -241,5 +240,14 @@ function recall.finish(world, st, layers, objects)
     layer._isAway, layer._snapshot, layer._queue = snapshot.isAway, snapshot, nil
   end
 end
+
+require(root .. ".memory.compiler").leave(
+  recall.place,
+  snapshotOf,
+  recall.save,
+  recall.begin,
+  recall.find,
+  recall.finish
+)
 
 return recall

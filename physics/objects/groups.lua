@@ -257,4 +257,6 @@ function groups.compareAll(b, records)
   return isAny
 end
 
+require(root .. ".memory.compiler").leave(sortedKeys, hasOthers, compare)
+
 return groups

@@ -27,13 +27,14 @@
 --     return near.publish(c, kept, c.entry, out) -- a list; one object: near.first, near.finish
 --
 -- A candidate has `object`, `rank`, `kind`, `shape`, `position` and `size` (at 2 n and 2 n + 1) at
--- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down, as of the last
--- update, is the axis `c.bodies.downAxis`, towards `c.bodies.orientation` of it. The filter may be
--- a function of the game, which may ask queries itself: it is called by `publish`, `first` and
+-- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down, at the last
+-- update, is the axis a = `c.bodies.downAxis`, its sign `c.bodies.orientation[a]`. The filter may
+-- be a function of the game, which may ask queries itself: it is called by `publish`, `first` and
 -- `accepts` only.
 --
 -- A query of a line begins with `rays.begin`, which sets where the line is (`c.x`, `c.y`, `c.dx`,
--- `c.dy`), and calls `near.line`. `lines.passage` says whether it meets a candidate, `lines.hit`
+-- `c.dy`; on a vertical line `c.x` is shifted by EPSILON, so results come from the numbers of the
+-- caller), and calls `near.line`. `lines.passage` says whether it meets a candidate, `lines.hit`
 -- where.
 --
 -- Reads the grid, and position, size and filter of static objects; writes fat boxes and the grid.

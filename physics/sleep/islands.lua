@@ -13,8 +13,8 @@
 -- that do not move.
 --
 -- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step
--- has changed no bit of its place and velocity, its speed is 0 (or was, if it is dynamic, at the
--- start), no way is left, and `hasNews` there finds none of these notes. At the end of the step
+-- has changed no bit of its place and velocity, its speed is 0 (of a dynamic body: or was at the
+-- start), `wayLeft` is 0, and `hasNews` there finds none of these notes. At the end of the step
 -- `mustStayAwake` says whether it is not quiet.
 --
 --     mustStayAwake  a contact that begins, ends or bounces (`contactState.update`, `ball.impact`,

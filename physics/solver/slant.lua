@@ -196,8 +196,8 @@ end
 -- their gap along its normal.)
 local function meeting(b, i, j)
   local size, from, to, shape, k, m = b.size, b.from, b.to, b.shape, 2 * i, 2 * j
-  local x, y, ox, oy = from[k], from[k + 1], from[m], from[m + 1]
-  local dx, dy = to[k] - x - to[m] + ox, to[k + 1] - y - to[m + 1] + oy
+  local dx = to[k] - from[k] - to[m] + from[m]
+  local dy = to[k + 1] - from[k + 1] - to[m + 1] + from[m + 1]
   local smallest, distance = ball.smallest(b, i, j), max(dx, -dx, dy, -dy)
   local near = min(NEAR * smallest, pairFinder.REACH)
   if boxes.gap(b, from, i, j) > max(distance, near) then
@@ -205,8 +205,8 @@ local function meeting(b, i, j)
   end
   local gap, nx, ny = gapIn(b, from, i, j)
   if gap >= -EPSILON and -nx * dx - ny * dy > gap then
-    local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
-    shapes.setPair(shape[i], x, y, w, h, shape[j], ox, oy, ow, oh)
+    local x, y, ox, oy = from[k], from[k + 1], from[m], from[m + 1]
+    shapes.setPair(shape[i], x, y, size[k], size[k + 1], shape[j], ox, oy, size[m], size[m + 1])
     local share, itsX, itsY, _, isDeep = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
     if share then
       return not isDeep and share or nil, itsX, itsY, -share * (dx * itsX + dy * itsY)

@@ -80,4 +80,6 @@ function older.read(old)
   return st
 end
 
+require(root .. ".memory.compiler").leave(objectsOf, older.read)
+
 return older

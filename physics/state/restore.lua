@@ -146,7 +146,9 @@ local function writeFields(b, st, objects)
   return odd
 end
 
-local function emptyGroups(world)
+-- Puts the objects into the game's groups. Groups that are not in the state are emptied.
+local function place(world, st, objects)
+  local n = 0
   for name, members in next, world.objects, nil do
     if type(members) ~= "table" or check.isObject(members) then
       world.objects[name] = nil
@@ -154,12 +156,6 @@ local function emptyGroups(world)
       clear(members)
     end
   end
-end
-
--- Puts the objects into the game's groups. Groups that are not in the state are emptied.
-local function place(world, st, objects)
-  local n = 0
-  emptyGroups(world)
   for _, group in ipairs(st.groups) do
     world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
     local owner = ownerOf(world, group)
@@ -258,8 +254,7 @@ local function restoreContacts(b, st, objects)
       or links.link(b, slotOf[one], slotOf[other])
     local isSwapped = b.pairA[p] ~= slotOf[one]
     for c = 1, #PAIRS do
-      local value = list[at + 1 + c]
-      b[PAIRS[c][1]][p] = isSwapped and PAIRS[c][3][value] or value
+      b[PAIRS[c][1]][p] = format.turned(c, list[at + 1 + c], isSwapped)
     end
     b.contactCount = b.contactCount + min(b.contact[p], 1)
   end
@@ -334,5 +329,7 @@ function restore.world(world, st)
   b.isSeen = false
   return sentence, new
 end
+
+require(root .. ".memory.compiler").leave(clear, place)
 
 return restore

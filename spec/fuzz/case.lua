@@ -15,10 +15,10 @@
 ---     { "fail" }                            only inside a callback
 ---     { "reload" }                          restores what it saves, only in the tried world
 ---     { "twin" }                            from here on a restored copy goes along
----     { "calm", x1, y1, x2, y2 }            nothing drives it any more (spec/fuzz/crowded.lua)
 ---     { "update", dt }
 
 local newNumbers = require("spec.fuzz.numbers").new
+local tile = require("spec.support.small").tile
 
 local case = {}
 
@@ -30,12 +30,26 @@ local ROOM = 20 -- units, width and height of the room
 
 -- Fields -----------------------------------------------------------------------------------------
 
-local function newMask(n)
+-- Ways to make a value, besides those of numbers.lua and random.lua.
+local WAYS = {}
+
+function WAYS.units(n, low, high)
+  return n.random:between(low, high) * n.unit
+end
+function WAYS.zero(n, share)
+  return n.random:chance(share) and 0 or n:acceleration()
+end
+function WAYS.rarely(n, high, low, usual) -- `high`, or a number in low..usual
+  return n.random:chance(0.1) and high or n.random:between(low, usual)
+end
+function WAYS.is(_, value)
+  return value
+end
+function WAYS.mask(n)
   local random = n.random
   return { [random:pick(GROUPS)] = false, [random:pick(GROUPS)] = random:chance(0.5) }
 end
-
-local function newHits(n)
+function WAYS.hits(n)
   local list = n.random:shuffled(GROUPS)
   list[#list + 1] = "statics"
   for _ = 1, n.random:integer(0, #list) do
@@ -43,21 +57,22 @@ local function newHits(n)
   end
   return list
 end
-
--- Ways to make a value, besides those of numbers.lua and random.lua.
-local WAYS = {
-  units = function(n, low, high)
-    return n.random:between(low, high) * n.unit
-  end,
-  zeroOften = function(n)
-    return n.random:chance(0.4) and 0 or n:acceleration()
-  end,
-  rarely = function(n, high, low, usual) -- `high`, or a number in low..usual
-    return n.random:chance(0.1) and high or n.random:between(low, usual)
-  end,
-  mask = newMask,
-  hits = newHits,
-}
+function WAYS.masks(n)
+  return { [n.random:pick(GROUPS)] = WAYS.mask(n) }
+end
+function WAYS.soft(n)
+  local row = { [n.random:pick(GROUPS)] = n:spread(0.1, 400) * n.unit }
+  return { [n.random:pick(GROUPS)] = row, lifts = n.random:chance(0.2) and row or nil }
+end
+function WAYS.pull(n)
+  return n.random:chance(0.5) and 40 * n.unit or n:acceleration()
+end
+function WAYS.cells(n)
+  return n:spread(0.25, 40) * n.unit
+end
+function WAYS.group(n)
+  return n.random:pick(GROUPS)
+end
 
 -- Returns a value for a row: what it is for, how often, the way to make it and its arguments.
 local function make(n, row)
@@ -68,6 +83,15 @@ local function make(n, row)
     return n[way](n, a, b)
   end
   return n.random[way](n.random, a, b)
+end
+
+-- Returns a table with a value for each row.
+local function makeAll(n, rows)
+  local made = {}
+  for _, row in ipairs(rows) do
+    made[row[1]] = make(n, row)
+  end
+  return made
 end
 
 -- Fields that may be there or not, in a fixed order: how often a new object has each, and its
@@ -81,8 +105,8 @@ local SHARES = {
   { "active", 0.03, "chance", 0.6 },
   { "sensor", 0.03, "chance", 0.6 },
   { "pushable", 0.1, "chance", 0.4 },
-  { "gravity", 0.08, "zeroOften" },
-  { "gravityX", 0.04, "zeroOften" },
+  { "gravity", 0.08, "zero", 0.4 },
+  { "gravityX", 0.04, "zero", 0.4 },
   { "airFriction", 0.08, "rarely", 100, 0, 4 },
   { "drag", 0.08, "units", 0, 20 },
   { "maxSpeed", 0.06, "units", 0, 30 },
@@ -97,19 +121,16 @@ local SHARES = {
   { "strength", 0.1, "integer", -1, 2 },
 }
 
-local OPTIONAL = {
-  snap = { "snap", 0, "units", 0, 1 },
-  maxFallSpeed = { "maxFallSpeed", 0, "units", 0, 20 },
-}
+local OPTIONAL = {}
 for _, row in ipairs(SHARES) do
   OPTIONAL[row[1]] = row
 end
 
--- Gives it fields of a list, or any.
+-- Gives it fields of a list, or any. A row that names no way to make a value is made as above.
 local function addOptional(n, object, share, list)
   for _, row in ipairs(list or SHARES) do
     if n.random:chance(row[2] * share) then
-      object[row[1]] = make(n, OPTIONAL[row[1]])
+      object[row[1]] = make(n, row[3] and row or OPTIONAL[row[1]])
     end
   end
   return object
@@ -117,39 +138,32 @@ end
 
 -- Objects ----------------------------------------------------------------------------------------
 
-local function newBox(n)
-  return addOptional(n, {
-    x = n:place(0, ROOM),
-    y = n:place(0, ROOM * 0.8),
-    width = n:size(),
-    height = n:size(),
-    vx = n.random:chance(0.6) and n:speed() or nil,
-    vy = n.random:chance(0.5) and n:speed() or nil,
-  }, 1)
-end
-
-local function newStatic(n)
-  local object = addOptional(n, {
-    x = n:place(0, ROOM),
-    y = n:place(0.4 * ROOM, ROOM),
-    width = n:size() * n.random:pick({ 1, 1, 3 }),
-    height = n:size(),
-    static = true,
-  }, 0.4)
-  object.oneWay = n.random:chance(0.2) and n.random:pick(SIDES) or nil
+-- An object between two heights of the room; it may be wider.
+local function newAt(n, upper, lower, widths)
+  local object = { x = n:place(0, ROOM), y = n:place(upper * ROOM, lower * ROOM) }
+  object.width = n:size() * (widths and n.random:pick(widths) or 1)
+  object.height = n:size()
   return object
 end
 
+local function newBox(n)
+  local object =
+    addOptional(n, newAt(n, 0, 0.8), 1, { { "vx", 0.6, "speed" }, { "vy", 0.5, "speed" } })
+  return addOptional(n, object, 1)
+end
+
+local function newStatic(n)
+  local object = addOptional(n, newAt(n, 0.4, 1, { 1, 1, 3 }), 0.4)
+  object.static, object.oneWay = true, n.random:chance(0.2) and n.random:pick(SIDES) or nil
+  return object
+end
+
+local DRIVEN = { { "vx", 0.6, "place", -5, 5 }, { "vy", 0.4, "place", -5, 5 } }
+
 local function newPlatform(n)
-  return addOptional(n, {
-    x = n:place(0, ROOM),
-    y = n:place(0.4 * ROOM, ROOM),
-    width = n:size() * n.random:pick({ 1, 3 }),
-    height = n:size(),
-    vx = n.random:chance(0.6) and n:place(-5, 5) or nil,
-    vy = n.random:chance(0.4) and n:place(-5, 5) or nil,
-    kinematic = true,
-  }, 0.4)
+  local object = addOptional(n, newAt(n, 0.4, 1, { 1, 3 }), 1, DRIVEN)
+  object.kinematic = true
+  return addOptional(n, object, 0.4)
 end
 
 -- The acts ---------------------------------------------------------------------------------------
@@ -175,18 +189,15 @@ end
 local function makeRoom(self)
   local n = self.n
   local unit, random = n.unit, n.random
-  for i = 0, ROOM - 1 do
-    local tile = { x = unit * i, y = ROOM * unit, width = unit, height = unit, static = true }
-    self:put(self:add("tiles", tile))
-  end
   local span = ROOM * unit
+  for i = 0, ROOM - 1 do
+    self:put(self:add("tiles", tile(unit * i, span, unit, unit)))
+  end
   for _, x in ipairs({ -unit, span }) do
-    local wall = { x = x, y = -span, width = unit, height = 2 * span + unit, static = true }
-    self:put(self:add("walls", addOptional(n, wall, 0.2)))
+    self:put(self:add("walls", addOptional(n, tile(x, -span, unit, 2 * span + unit), 0.2)))
   end
   if random:chance(0.5) then
-    local ceiling = { x = 0, y = -unit, width = span, height = unit, static = true }
-    self:put(self:add("walls", ceiling))
+    self:put(self:add("walls", tile(0, -unit, span, unit)))
   end
 end
 
@@ -210,31 +221,19 @@ local function makeStack(self)
 end
 
 local WRITES = {
-  function(n)
-    return { vx = n:speed(), vy = n:speed() }
-  end,
-  function(n)
-    return { vy = -n.random:between(5, 30) * n.unit }
-  end,
-  function(n)
-    return { x = n:place(0, ROOM), y = n:place(0, ROOM * 0.9) }
-  end,
-  function(n)
-    return { width = n:size(), height = n:size() }
-  end,
-  function(n)
-    return { kinematic = n.random:chance(0.3) }
-  end,
-  function(n)
-    return { static = n.random:chance(0.3) }
-  end,
+  { { "vx", nil, "speed" }, { "vy", nil, "speed" } },
+  { { "vy", nil, "units", -5, -30 } },
+  { { "x", nil, "place", 0, ROOM }, { "y", nil, "place", 0, ROOM * 0.9 } },
+  { { "width", nil, "size" }, { "height", nil, "size" } },
+  { { "kinematic", nil, "chance", 0.3 } },
+  { { "static", nil, "chance", 0.3 } },
 }
 
 local function newWrite(self)
   local n = self.n
   local random = n.random
   if random:chance(0.5) then
-    return { "write", self:anybody(), random:pick(WRITES)(n) }
+    return { "write", self:anybody(), makeAll(n, random:pick(WRITES)) }
   end
   local name = random:pick(SHARES)[1]
   if random:chance(0.3) then
@@ -243,27 +242,10 @@ local function newWrite(self)
   return { "write", self:anybody(), { [name] = make(n, OPTIONAL[name]) } }
 end
 
-WAYS.masks = function(n)
-  return { [n.random:pick(GROUPS)] = newMask(n) }
-end
-WAYS.soft = function(n)
-  local row = { [n.random:pick(GROUPS)] = n:spread(0.1, 400) * n.unit }
-  return { [n.random:pick(GROUPS)] = row, lifts = n.random:chance(0.2) and row or nil }
-end
-WAYS.pull = function(n)
-  return n.random:chance(0.5) and 40 * n.unit or n:acceleration()
-end
-WAYS.zeroMostly = function(n)
-  return n.random:chance(0.6) and 0 or n:acceleration()
-end
-WAYS.cells = function(n)
-  return n:spread(0.25, 40) * n.unit
-end
-
 -- Settings: their names, whether they may be nil, the way to make a value.
 local SETTINGS = {
   { "gravity", false, "pull" },
-  { "gravityX", false, "zeroMostly" },
+  { "gravityX", false, "zero", 0.6 },
   { "push", false, "pick", { "both", "first" } },
   { "masks", true, "masks" },
   { "soft", true, "soft" },
@@ -327,10 +309,6 @@ local ACTS = {
   { 5, newQuestion },
 }
 
-WAYS.group = function(n)
-  return n.random:pick(GROUPS)
-end
-
 -- Something that a game may do between two updates or in a callback.
 local function newAct(self)
   local roll = self.n.random:integer(1, 92)
@@ -390,15 +368,10 @@ local CLOSED = { { "friction", 0.4 }, { "restitution", 0.5 }, { "mass", 0.5 } }
 
 local function makeClosedBox(self, column, row)
   local n = self.n
-  local box = {
-    -- On a raster wide enough that no box stands in another at first.
-    x = n:snap((2.5 * column + 1) * n.unit),
-    y = n:snap((2.5 * row + 1) * n.unit),
-    width = n:snap(n.random:between(0.5, 2) * n.unit),
-    height = n:snap(n.random:between(0.5, 2) * n.unit),
-    vx = n:snap(n.random:between(-25, 25) * n.unit),
-    vy = n:snap(n.random:between(-25, 25) * n.unit),
-  }
+  -- On a raster wide enough that no box stands in another at first.
+  local box = { x = n:snap((2.5 * column + 1) * n.unit), y = n:snap((2.5 * row + 1) * n.unit) }
+  box.width, box.height = n:place(0.5, 2), n:place(0.5, 2)
+  box.vx, box.vy = n:place(-25, 25), n:place(-25, 25)
   addOptional(n, box, 1, CLOSED)
   self:put(self:add(n.random:pick(GROUPS), box))
 end
@@ -433,6 +406,8 @@ end
 -- and more boxes that appear in it and in the ends: all boxes are crushed, pushed out or pushed on.
 
 local SQUEEZED = {
+  { "vx", 0.3, "speed" },
+  { "vy", 0.3, "speed" },
   { "pushable", 0.25 },
   { "mass", 0.3 },
   { "friction", 0.3 },
@@ -453,27 +428,16 @@ end
 
 local function squeezeBox(self, at, size)
   local n = self.n
-  local box = {
-    vx = n.random:chance(0.3) and n:speed() or nil,
-    vy = n.random:chance(0.3) and n:speed() or nil,
-  }
-  addOptional(n, box, 1, SQUEEZED)
+  local box = addOptional(n, {}, 1, SQUEEZED)
   squeeze(self, n.random:pick(GROUPS), at, size, box)
 end
 
 -- Something at one end that pushes, or does not give way.
 local function squeezeEnd(self, at, isMoving)
   local n = self.n
-  if isMoving then
-    local speed = n:place(-2, 10)
-    squeeze(self, "lifts", at, n.unit, {
-      kinematic = true,
-      vx = self.isRow and speed or nil,
-      vy = not self.isRow and speed or nil,
-    })
-  else
-    squeeze(self, "statics", at, n.unit, { static = true })
-  end
+  local object = { static = not isMoving or nil, kinematic = isMoving or nil }
+  object[self.isRow and "vx" or "vy"] = isMoving and n:place(-2, 10) or nil
+  squeeze(self, isMoving and "lifts" or "statics", at, n.unit, object)
 end
 
 local function makeSqueezed(self, steps)
@@ -482,7 +446,7 @@ local function makeSqueezed(self, steps)
   local at = 10 * unit
   self.isRow = random:chance(0.3)
   for _ = 1, random:integer(2, 5) do
-    local size = random:chance(0.5) and unit or n:snap(random:between(0.5, 2) * unit)
+    local size = random:chance(0.5) and unit or n:place(0.5, 2)
     at = at - size
     squeezeBox(self, at, size)
   end
@@ -544,9 +508,9 @@ local ENGINE = {
 
 -- What makes a walker on stairs.
 local WALKER = {
-  { "snap", 0.7 },
+  { "snap", 0.7, "units", 0, 1 },
   { "nudge", 0.4 },
-  { "maxFallSpeed", 0.3 },
+  { "maxFallSpeed", 0.3, "units", 0, 20 },
 }
 
 -- Gives fields of a list to many of the movers. (With numbers of its own: it makes no other
@@ -562,18 +526,10 @@ local function equip(acts, seed, list)
 end
 
 local AREAS = {
-  function(n)
-    return { gravity = n:acceleration() }
-  end,
-  function(n)
-    return { ax = n:acceleration(), airFriction = n.random:between(0, 3) }
-  end,
-  function(n)
-    return { attract = n:acceleration(), law = "square" }
-  end,
-  function(n)
-    return { drag = n.random:between(0, 20) * n.unit, gravityX = n:acceleration() }
-  end,
+  { { "gravity", nil, "acceleration" } },
+  { { "ax", nil, "acceleration" }, { "airFriction", nil, "between", 0, 3 } },
+  { { "attract", nil, "acceleration" }, { "law", nil, "is", "square" } },
+  { { "drag", nil, "units", 0, 20 }, { "gravityX", nil, "acceleration" } },
 }
 
 -- Makes circles and zones of many that are added.
@@ -582,7 +538,7 @@ local function round(acts, seed)
   for _, act in ipairs(acts) do
     local object = FIELDS_AT[act[1]] == 4 and act[4]
     if object and n.random:chance(0.05) then
-      object.sensor, object.area = true, n.random:pick(AREAS)(n)
+      object.sensor, object.area = true, makeAll(n, n.random:pick(AREAS))
       object.width, object.height = 6 * n.unit, 6 * n.unit
     end
     if object and not object.oneWay and object.width < 7 * n.unit and n.random:chance(0.5) then

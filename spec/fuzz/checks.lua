@@ -10,7 +10,6 @@ if jit then
   jit.off(true, true)
 end
 
-local bounds = require("spec.fuzz.bounds")
 local overlap = require("spec.support.overlap")
 
 local checks = {}
@@ -515,9 +514,8 @@ local function countContacts(self)
   })
 end
 
---- Watches a player's world; in a `closed` one nothing adds energy. `chosen` checks of
---- spec/fuzz/bounds.lua are made, too: name -> true; nil: none.
-function checks.new(player, closed, chosen)
+--- Watches a player's world; in a `closed` one nothing adds energy.
+function checks.new(player, closed)
   local self = setmetatable({
     player = player,
     closed = closed,
@@ -534,11 +532,6 @@ function checks.new(player, closed, chosen)
   end
   if closed then
     countContacts(self)
-  end
-  if chosen then
-    self.bounds = bounds.new(player, chosen, function(a, b)
-      return self:isBarred(a, b)
-    end)
   end
   self:look()
   return self
@@ -557,16 +550,6 @@ function Watch:before()
   self:noteSums()
   self.contacts = 0
   self.saved = self.player.world._saved
-  if self.bounds then
-    self.bounds:before(self.all)
-  end
-end
-
---- Notes that from now on nothing drives the game (spec/fuzz/crowded.lua).
-function Watch:calm(act)
-  if self.bounds then
-    self.bounds:calm(act)
-  end
 end
 
 -- Whether the update has made a step. Without one nothing is true yet of what the game has written.
@@ -594,10 +577,7 @@ function Watch:after(dt)
   if name or self.player.failed or not self:hasStepped(dt) then
     return name, text
   end
-  if self.bounds then
-    name, text = self.bounds:after(dt, self.groupOf)
-  end
-  for _, check in ipairs(name and {} or LAST) do
+  for _, check in ipairs(LAST) do
     name, text = self[check](self, dt)
     if name then
       break

@@ -4,6 +4,7 @@
 -- of it need not be true any more when the step is judged.
 
 local physics = require("physics")
+local copyOf = require("spec.support.small").copy
 
 -- Runs no slower without the trace compiler, which has too many loops to see here.
 local jit = rawget(_G, "jit")
@@ -18,17 +19,6 @@ local EVENTS = { "onBegin", "onEnd", "onCrush" } -- onStay would keep all awake
 -- Settings that change no result; a player of a fixed kind keeps its own.
 local OWN = { broadphase = true, cellSize = true, rest = true }
 local MESSAGE = "fuzz: a callback fails"
-
-local function copyOf(value)
-  if type(value) ~= "table" then
-    return value
-  end
-  local copy = {}
-  for key, entry in pairs(value) do
-    copy[key] = copyOf(entry)
-  end
-  return copy
-end
 
 -- The log ----------------------------------------------------------------------------------------
 
@@ -338,9 +328,8 @@ function acts.reload(player)
   end
 end
 
--- What plays several worlds makes the copy, and watches for rest.
+-- What plays several worlds makes the copy.
 function acts.twin() end
-function acts.calm() end
 
 function acts.update(player, dt)
   if player.inside then
@@ -507,7 +496,5 @@ function player.copy(other, own)
   end
   return self
 end
-
-player.copyOf = copyOf
 
 return player

@@ -2,7 +2,7 @@
 --- long as the same check fails.
 --- Source: A. Zeller, R. Hildebrandt, "Simplifying and isolating failure-inducing input" (2002).
 
-local copyOf = require("spec.fuzz.player").copyOf
+local copyOf = require("spec.support.small").copy
 local trial = require("spec.fuzz.trial")
 
 local floor = math.floor
@@ -89,21 +89,26 @@ local function sortedKeys(list)
   return keys
 end
 
-local NEEDED = { x = true, y = true, width = true, height = true }
-
-function Shrinker:dropFields()
+-- Calls visit(path, key) for each field; returns whether any call has made the case smaller.
+function Shrinker:eachField(visit)
   local any = false
   for _, path in ipairs(fieldTables(self.case)) do
     for _, key in ipairs(sortedKeys(follow(self.case, path) or {})) do
-      local case = copyOf(self.case)
-      local fields = follow(case, path)
-      if fields and type(key) == "string" and not NEEDED[key] then
-        fields[key] = nil
-        any = self:try(case) or any
-      end
+      any = visit(self, path, key) or any
     end
   end
   return any
+end
+
+local NEEDED = { x = true, y = true, width = true, height = true }
+
+function Shrinker:drop(path, key)
+  local case = copyOf(self.case)
+  local fields = follow(case, path)
+  if fields and type(key) == "string" and not NEEDED[key] then
+    fields[key] = nil
+    return self:try(case)
+  end
 end
 
 -- Rounder numbers than one, the roundest first.
@@ -118,7 +123,7 @@ local function rounder(value)
   return list
 end
 
-function Shrinker:roundIn(path, key)
+function Shrinker:round(path, key)
   local value = (follow(self.case, path) or {})[key]
   for _, round in ipairs(type(value) == "number" and rounder(value) or {}) do
     if round == value then
@@ -131,16 +136,6 @@ function Shrinker:roundIn(path, key)
     end
   end
   return false
-end
-
-function Shrinker:roundNumbers()
-  local any = false
-  for _, path in ipairs(fieldTables(self.case)) do
-    for _, key in ipairs(sortedKeys(follow(self.case, path) or {})) do
-      any = self:roundIn(path, key) or any
-    end
-  end
-  return any
 end
 
 -- The same acts at one steady rate, and every number of a group turned into a name.
@@ -188,8 +183,8 @@ function shrink.run(case, failure, seconds, run)
     again = self:dropReactions() or again
     again = self:calm() and not self.isCalm or again
     self.isCalm = true
-    again = self:dropFields() or again
-    again = self:roundNumbers() or again
+    again = self:eachField(self.drop) or again
+    again = self:eachField(self.round) or again
   end
   return self.case, self.failure
 end

@@ -6,6 +6,7 @@
 
 local checks = require("spec.fuzz.checks")
 local player = require("spec.fuzz.player")
+local small = require("spec.support.small")
 
 -- Runs no slower without the trace compiler, which has too many loops to see here.
 local jit = rawget(_G, "jit")
@@ -127,10 +128,7 @@ function Trial:act(act)
   elseif act[1] == "twin" then
     self.twins = self.twins + 1
     self.twin = player.copy(self.tried, TWINS[self.twins % #TWINS + 1])
-    self.twin.told, self.hasTwinStepped = player.copyOf(self.tried.told), false
-    return
-  elseif act[1] == "calm" then
-    self.watch:calm(act)
+    self.twin.told, self.hasTwinStepped = small.copy(self.tried.told), false
     return
   end
   self.tried:act(act)
@@ -141,14 +139,13 @@ function Trial:act(act)
 end
 
 --- Tries a case.
----@param case table as from spec/fuzz/case.lua or spec/fuzz/crowded.lua
----@param chosen? table checks of spec/fuzz/bounds.lua that are made, too: name -> true
+---@param case table as from spec/fuzz/case.lua
 ---@return table? failure `{ check, text, at }`: what does not hold, after which act; nil: all does
 ---@return integer steps updates that were made
-function trial.run(case, chosen)
+function trial.run(case)
   local self = setmetatable({ steps = 0, twins = 0 }, Trial)
   self.tried, self.plain = player.new(case), player.new(case, PLAIN)
-  self.watch = checks.new(self.tried, case.closed, chosen)
+  self.watch = checks.new(self.tried, case.closed)
   for at, act in ipairs(case.acts) do
     local ok, name, text = pcall(self.act, self, act)
     if not ok then

@@ -4,41 +4,38 @@
 
 local case = require("spec.fuzz.case")
 local checks = require("spec.fuzz.checks")
-local crowded = require("spec.fuzz.crowded")
 local effort = require("spec.support.effort")
 local games = require("spec.fuzz.games")
+local motion = require("spec.support.motion")
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local player = require("spec.fuzz.player")
 local shrink = require("spec.fuzz.shrink")
 local small = require("spec.support.small")
+local states = require("spec.support.states")
 local trial = require("spec.fuzz.trial")
 local watcher = require("spec.fuzz.watcher")
-local write = require("spec.fuzz.write")
-
-local long = effort.isFirst and it or pending
 
 local put = small.put
-local loadText = rawget(_G, "loadstring") or load
 
 local function reread(one)
-  return assert(loadText("return " .. write.value(one)))()
+  return states.read(states.write(one))
 end
 
 -- Returns how many steps a case has, of which none fails.
-local function passes(seed, one, chosen)
-  local failure, steps = trial.run(one, chosen)
+local function passes(seed, one)
+  local failure, steps = trial.run(one)
   assert(not failure, failure and ("seed %d: %s: %s"):format(seed, failure.check, failure.text))
   return steps
 end
 
-describe("random games", function()
-  it("keep what is promised after every step", function()
+describe("broadphase, rest and order: random games", function()
+  it("keep what is promised after every step, and are the same in other worlds", function()
     local updates = 0
-    for seed = 1, effort.share(12) do
+    for seed = 1, effort.share(30) do
       updates = updates + passes(seed, case.new(seed, 40))
     end
-    assert.equal(40 * effort.share(12), updates)
+    assert.equal(40 * effort.share(30), updates)
   end)
 
   it("are the same each time, and written down they are the same again", function()
@@ -103,69 +100,6 @@ describe("the checks notice", function()
     one:act({ "update", 1 / 60 })
     one.list[3].vx = 4
     assert.equal("momentum", (watch:after(1 / 60)))
-  end)
-end)
-
--- A floor, a box on it that the air brakes, and another one; the game is calm from the start.
-local CALM = {
-  settings = { gravity = 800 },
-  acts = {
-    { "add", 1, "floors", { x = 0, y = 100, width = 100, height = 10, static = true } },
-    { "add", 2, "boxes", { x = 20, y = 90, width = 10, height = 10, drag = 100 } },
-    { "add", 3, "boxes", { x = 50, y = 90, width = 10, height = 10, drag = 100 } },
-    { "calm", 0, 0, 100, 110 },
-  },
-}
-
-describe("the checks of bounds", function()
-  -- the check; after how many updates; of which object what is what; whether that is noticed
-  small.rows("{1}, update {2}: noticed is {5}", {
-    { "motion", 2, 2, { x = 20 + 10.01 + 800 / 3600 }, true },
-    { "motion", 2, 2, { x = 20 + 9.9 }, false },
-    { "motion", 2, 2, { x = 38, vx = 660 }, false }, -- as fast as it went
-    { "past", 2, 3, { y = 96 }, true },
-    { "past", 2, 3, { y = 112 }, true },
-    { "past", 2, 3, { y = 94.9 }, false },
-    { "rest", 122, 2, { x = 20.0001 }, true },
-    { "rest", 118, 2, { x = 20.0001 }, false },
-  }, function(chosen, updates, of, fields, isNoticed)
-    local one, name = player.new(CALM), nil
-    local watch = checks.new(one, false, { [chosen] = true })
-    for _, act in ipairs(CALM.acts) do
-      one:act(act)
-      if act[1] == "calm" then
-        watch:calm(act)
-      end
-    end
-    for n = 1, updates do
-      assert.is_nil(name)
-      watch:before()
-      one:act({ "update", 1 / 60 })
-      small.set(one.list[of], n == updates and fields or nil)
-      name = watch:after(1 / 60)
-    end
-    assert.equal(isNoticed, name == chosen)
-  end)
-
-  -- (In seed 48 a box is added inside a lift, and leaves it behind a wall.)
-  long("hold in games with too little room: rest in two seconds, and none past a wall", function()
-    local chosen = { motion = true, rest = true, past = true }
-    for seed = 1, effort.isWhole and 24 or 2 do
-      passes(seed, crowded.new(seed, 30), chosen)
-    end
-  end)
-
-  it("are made in games that are the same each time, with a calm end", function()
-    local one = crowded.new(5, 20)
-    assert.same(one, crowded.new(5, 20))
-    assert.same(one.acts, reread(one).acts)
-    local calmed, updates = 0, 0
-    for _, act in ipairs(one.acts) do
-      calmed = calmed + (act[1] == "calm" and 1 or 0)
-      updates = updates + (act[1] == "update" and calmed or 0)
-    end
-    assert.equal(1, calmed)
-    assert.is_true(updates >= 70) -- two seconds at 30 Hz, and ten more
   end)
 end)
 
@@ -285,6 +219,27 @@ describe("a watcher of games", function()
       end
     end)
   end
+
+  -- The same of spec/support/motion.lua: a box that falls onto a floor at y = 100, in a step.
+  small.rows("of motion notices that a box has {1}", {
+    { "moved 20.%d+ px", { x = 40.3 } },
+    { "not", { x = 39.9, y = 92 } },
+    { "not", { x = 60, vx = 1320 } }, -- as fast as it went
+    { "went into", { y = 96 } },
+    { "went past", { y = 112, vy = 2000 } },
+  }, function(words, fields)
+    local world = physics.newWorld({ gravity = 800 })
+    local one, floor = put(20, 88, 10, 10), put(0, 100, 100, 10, { static = true })
+    local watch = motion.new(world, { world:add("boxes", one), world:add("floors", floor) })
+    watch:before()
+    world:update(1 / 60)
+    assert.is_nil(watch:after(1 / 60))
+    watch:before()
+    world:update(1 / 60)
+    small.set(one, fields)
+    local text = watch:after(1 / 60)
+    assert.equal(words ~= "not", text ~= nil and text:find(words) ~= nil, text)
+  end)
 
   it("notices things in each other: deep at once, or for more than 0.07 s", function()
     local game, one, self = newGame()

@@ -7,7 +7,6 @@
 
 local crowds = require("spec.support.crowd")
 local effort = require("spec.support.effort")
-local fold = require("spec.support.fold")
 local motion = require("spec.support.motion")
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
@@ -97,28 +96,6 @@ describe("x, vx and pushable: a crowd", function()
       end
     end
   end
-
-  it("goes the same way with either broad phase, and with rest or without", function()
-    for _, drive in ipairs(effort.isWhole and { "vx", "ax" } or { "vx" }) do
-      local sums = {}
-      for i, settings in ipairs({
-        { broadphase = "grid" },
-        { broadphase = "pairs" },
-        { broadphase = "grid", rest = false },
-        { broadphase = "grid", cellSize = 100 },
-      }) do
-        local options = { count = 100, seed = 6, goal = "firm", drive = drive }
-        options.settings, options.startsInside = settings, true
-        local crowd, sum = crowds.new(options), fold.START
-        for _ = 1, effort.share(150, 60) do
-          crowd:step(1 / 60)
-          sum = fold.objects(sum, crowd.enemies)
-        end
-        sums[i] = sum
-      end
-      assert.same({ sums[1], sums[1], sums[1], sums[1] }, sums)
-    end
-  end)
 
   it("of a box and two circles leaves an unpushable player on its straight way", function()
     local world = physics.newWorld({ gravity = 0 })

@@ -3,11 +3,9 @@
 --- give way, what has room is apart within a second, and what nothing drives is at rest within two.
 
 local effort = require("spec.support.effort")
-local fold = require("spec.support.fold")
 local motion = require("spec.support.motion")
 local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
-local physics = require("physics")
 local scene = require("spec.support.scene")
 local small = require("spec.support.small")
 
@@ -278,39 +276,5 @@ small.rows("kinematic: a machine keeps in: {1}, {2} #slow", MACHINES, function(n
     overlap.expectApart(run)
     scene.watch(run, watch, 1)
     expectRest(run, watch)
-  end)
-end)
-
-describe("broadphase and rest: what has no room", function()
-  -- Plays a description with some settings; returns the fold of all that it went through.
-  local function foldOf(description, more, settings)
-    local world = physics.newWorld(settings)
-    world.gravity = description.gravity or 800
-    local objects = {}
-    for _, list in ipairs({ description, more }) do
-      for _, entry in ipairs(list) do
-        local object = small.set({}, entry[2])
-        objects[#objects + 1] = world:add(entry[1], object)
-        object.vx = object.kinematic and 60 or nil
-      end
-    end
-    local sum = fold.START
-    for _ = 1, effort.share(90, 30) do
-      world:update(1 / 60)
-      sum = fold.objects(sum, objects)
-    end
-    return sum
-  end
-
-  local piston = join(wallsFor("a piston"), { machineFor("machine", 1, WAYS["a piston"][1]) })
-  local rows = join(effort.rows(SPOTS, 3), {
-    { "a closed room", walls(60, 60), scatter(40, 3, 12, 60, 60) },
-    { "a piston", piston, heap(20, 2, 20, ROOM, ROOM) },
-  })
-  small.rows("goes the same way with either broad phase: {1}", rows, function(_, there, boxes)
-    local first = foldOf(there, boxes, { broadphase = "pairs", rest = false })
-    assert.equal(first, foldOf(there, boxes, { broadphase = "grid", rest = false }))
-    assert.equal(first, foldOf(there, boxes, { broadphase = "grid" }))
-    assert.equal(first, foldOf(there, boxes, { broadphase = "grid", cellSize = 7 }))
   end)
 end)

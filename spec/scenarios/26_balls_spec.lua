@@ -212,6 +212,17 @@ describe("radius: a ball", function()
     assert.same({ 1, 1 }, { begins, ends })
   end)
 
+  it("comes no deeper into a stone that it is 0.03 px in, driven along that", function()
+    local world, angle = physics.newWorld({ gravity = 0 }), math.rad(70)
+    local stone = world:add("stones", ball(0, 0, 60, { static = true }))
+    local x, y = 67.97 * math.cos(angle), 67.97 * math.sin(angle)
+    local object = world:add("balls", ball(-x, -y, 8))
+    small.run(world, 10, 60, function()
+      object.vx, object.vy = 80, 0
+      assert.is_true(overlap.depth(object, stone) < 0.03)
+    end)
+  end)
+
   it("is what world:move and world:sweep see", function()
     local world = physics.newWorld({ gravity = 0 })
     world:add("stones", ball(100, 100, 20, { static = true }))

@@ -129,17 +129,14 @@ function everything.newWorld(settings)
   return world
 end
 
---- Puts the scene into a world.
-function everything.fill(world)
+--- A world with the scene.
+function everything.new(settings)
+  local world = everything.newWorld(settings)
   makeLevel(world)
   makeBoxes(world)
   world.objects.player =
     { x = 60, y = 300, width = 14, height = 22, friction = 0.3, mass = 1, nudge = 4 }
   return world
-end
-
-function everything.new(settings)
-  return everything.fill(everything.newWorld(settings))
 end
 
 -- Between which places which lift goes to and fro, and how fast.
@@ -251,25 +248,6 @@ function everything.fold(world, between)
     sum = sum - math.floor(sum / 99999999999973) * 99999999999973
   end
   return ("%.0f"):format(sum)
-end
-
---- Lets objects come into a world, fall and go again, in a seeded order. Everything in the world's
---- tables and order stays the same; slots and pairs do not.
-function everything.comeAndGo(world, seed)
-  local random, guests = newRandom(seed), {}
-  for n = 1, 40 do
-    local guest = { x = 10 * n, y = 5 * n, width = 30, height = 30, static = n % 5 == 0 }
-    guests[n] = world:add("guests", guest)
-  end
-  for n, guest in ipairs(random:shuffled(guests)) do
-    if n % 7 == 0 then
-      world:update(1 / 60)
-    end
-    world:remove(guest)
-  end
-  world:update(1 / 60)
-  world.objects.guests = nil
-  world:update(0)
 end
 
 if arg and arg[0] and arg[0]:find("everything%.lua$") then

@@ -126,10 +126,10 @@ end
 -- how far it moved along it. A contact parts along one axis, so each axis has its own limit. A step
 -- moves an object by its larger side at most to part it from others that it overlaps. (Out of what
 -- is immovable it goes at once, as scenario 11 has it: see `noteWays`.)
-local function excessOf(watch, i, dt, steps)
+local function excessOf(watch, i, dt)
   local object, boxes, k = watch.objects[i], watch.boxes, 4 * i
   local dx, dy = abs(object.x - boxes[k]), abs(object.y - boxes[k + 1])
-  local parted = steps * (max(boxes[k + 2], boxes[k + 3]) + watch.nudge)
+  local parted = max(boxes[k + 2], boxes[k + 3]) + watch.nudge
   local x = dx - (watch.vx + watch.pullX + watch.carryX) * dt - parted - watch.wayX[i]
   local y = dy - (watch.vy + watch.pullY + watch.carryY) * dt - parted - watch.wayY[i]
   if x > y or x ~= x then
@@ -180,11 +180,10 @@ end
 
 --- The farthest motion of an update, measured by what is allowed. To be called once after each.
 ---@param dt number s
----@param steps? integer steps of the update, default 1
 ---@return number excess px beyond the limit, negative: within
 ---@return table? object
 ---@return number? moved px
-function Watch:farthest(dt, steps)
+function Watch:farthest(dt)
   addMachines(self, dt)
   for i = 1, self.count do
     local object = self.objects[i]
@@ -194,20 +193,13 @@ function Watch:farthest(dt, steps)
   local worst, farthest, path = -math.huge, nil, nil
   for i = 1, self.count do
     if isMover(self.objects[i]) then
-      local excess, moved = excessOf(self, i, dt, steps or 1)
+      local excess, moved = excessOf(self, i, dt)
       if excess > worst or excess ~= excess then
         worst, farthest, path = excess, self.objects[i], moved
       end
     end
   end
   return worst, farthest, path
-end
-
---- Where the i-th object was before the update.
----@return number x px
----@return number y px
-function Watch:placeOf(i)
-  return self.boxes[4 * i], self.boxes[4 * i + 1]
 end
 
 --- The first object that went with its middle into an immovable one, or past it.
@@ -219,7 +211,7 @@ function Watch:trespass()
     if isWall(self.objects[m]) and not self.isWritten[m] then
       for i = 1, self.count do
         local how = isSolid(self.objects[i]) and trespassOf(self, i, m)
-        if how and self.canMeet(self.objects[i], self.objects[m]) then
+        if how then
           return how, self.objects[i], self.objects[m]
         end
       end
@@ -229,10 +221,9 @@ end
 
 --- To be called after the update: what does not hold, or nil.
 ---@param dt number s
----@param steps? integer steps of the update, default 1
 ---@return string? text
-function Watch:after(dt, steps)
-  local excess, object, moved = self:farthest(dt, steps)
+function Watch:after(dt)
+  local excess, object, moved = self:farthest(dt)
   if object and (excess > 1e-6 or excess ~= excess) then
     local text = "an object of %.9g x %.9g px moved %.9g px in a step, %.9g px more than it may"
     return text:format(object.width, object.height, moved, excess)
@@ -247,15 +238,11 @@ end
 --- Watches the objects of a list, which may grow.
 ---@param world table its gravity counts
 ---@param objects table[]
----@param canMeet? fun(a: table, b: table): boolean whether one stands in the way of the other
-function motion.new(world, objects, canMeet)
+function motion.new(world, objects)
   local self = { world = world, objects = objects, boxes = {}, lastX = {}, lastY = {} }
   self.wayX, self.wayY = {}, {}
   self.firm, self.firmCount = {}, 0
   self.isWritten = {} -- by number: the game has put it elsewhere since the last update
-  self.canMeet = canMeet or function()
-    return true
-  end
   return setmetatable(self, Watch)
 end
 

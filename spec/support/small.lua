@@ -15,6 +15,18 @@ function small.set(object, fields)
   return object
 end
 
+--- Returns a value, of a table a copy with copies of what is in it.
+function small.copy(value)
+  if type(value) ~= "table" then
+    return value
+  end
+  local copied = {}
+  for key, inner in pairs(value) do
+    copied[key] = small.copy(inner)
+  end
+  return copied
+end
+
 --- Returns an object at x, y with more fields, or other ones.
 ---@param fields? table
 ---@return table

@@ -12,7 +12,8 @@ function states.write(value)
   local kind = type(value)
   if kind == "number" then
     assert(value - value == 0, "nan or inf in a state")
-    return ("%.17g"):format(value)
+    local short = ("%.14g"):format(value)
+    return tonumber(short) == value and short or ("%.17g"):format(value)
   elseif kind == "string" then
     return ("%q"):format(value)
   elseif kind == "boolean" then

@@ -166,19 +166,6 @@ function tiled.infinite()
   return tiled.map({ set }, { rocks, tiled.objects(2, "boxes", { box }) }, { infinite = true })
 end
 
-local function copy(value)
-  if type(value) ~= "table" then
-    return value
-  end
-  local copied = {}
-  for key, inner in pairs(value) do
-    copied[key] = copy(inner)
-  end
-  return copied
-end
-
-tiled.copy = copy
-
 -- STI ---------------------------------------------------------------------------------------------
 
 local function flatten(layers, list)
@@ -227,7 +214,7 @@ end
 --- The table that STI 1.2 makes of a map: layers without groups, also under their names; rows of
 --- tiles instead of gids; objects by id. What it adds only for drawing is left out.
 function tiled.sti(map, offsetX, offsetY)
-  map = copy(map)
+  map = small.copy(map)
   map.offsetx, map.offsety = offsetX or 0, offsetY or 0
   map.objects, map.tiles, map.tileInstances = {}, {}, {}
   map.layers = flatten(map.layers, {})
@@ -292,7 +279,7 @@ end
 
 --- The table that a JSON library makes of the JSON that Tiled exports of a map.
 function tiled.json(map)
-  map = copy(map)
+  map = small.copy(map)
   map.type, map.infinite = "map", map.infinite or false
   writeLayers(map.layers)
   for _, set in ipairs(map.tilesets) do
