@@ -17,19 +17,20 @@
 --                       no farther than FURTHEST in all, on each axis (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
---                    4. Under gravity 1 to 3 again, SHOCKS passes in which the lower body does not
---                       give way and no push is taken back, so that a heap does not sink. FURTHEST
---                       does not apply, and which rows touch is not found anew.
---                    5. Bodies that have no room forget their pushes (`forgetJams`). Pushes are
---                       noted, and accelerations are found anew (`noteAll`).
+--                    4. Under gravity 1 and 2 again for the places alone, SHOCKS passes in which
+--                       the lower body does not give way, so that a heap does not sink. (With
+--                       speeds, momentum would be lost.) Their pushes begin at 0 and are not noted,
+--                       FURTHEST does not apply, and which rows touch is not found anew.
+--                    5. Pushes are noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
 -- PASSES; a rest that is left is pushed away in later steps. The step before has found most of the
 -- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `slant.tell`), of
 -- which passes take back a part that is too much. So 16 passes are enough for a heap that is 18
 -- bodies deep. Only bodies that are connected with a new or violated plane are solved again. A
--- solve presses several times: planes keep their pushes from call to call, rows of axis contacts
--- begin at 0. Contacts along an axis are settled before and after.
+-- solve presses several times: planes keep their pushes from call to call, and under gravity the
+-- rows of axis contacts, too. (Where those of a floor began at 0, the part that a plane took back
+-- lifted the ball off it.) Contacts along an axis are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
 -- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
@@ -62,9 +63,6 @@ local EAGER = 1.2
 local LEFT, DEEPEST = 5, 0.12
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
--- Share of the smaller size that two are in each other after all passes, or would be in the next
--- step, if there is no room.
-local JAMMED = 0.05
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
 -- px by which a body may be in something immovable where the step begins; px/s, of rounding.
@@ -125,7 +123,10 @@ local function addContact(b, list, n, c)
   end
   s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
-  s.push[c], s.impulse[c], s.start[c], s.slop[c] = 0.0, 0.0, 0.0, EPSILON
+  local p = list.pair[n]
+  local isOld = not b.isWeightless and s.pushedAt[p] == b.solveStamp
+  s.pair[c], s.start[c], s.slop[c] = p, 0.0, EPSILON
+  s.push[c], s.impulse[c] = isOld and s.pushOf[p] or 0.0, isOld and s.impulseOf[p] or 0.0
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
   s.new[c - s.count] = c
   return true
@@ -187,7 +188,7 @@ local function weigh(b, isShock)
     end
     local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
     s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
-    s.total[c] = nx * (dx + ex) + ny * (dy + ey)
+    s.total[c], s.lift[c] = nx * (dx + ex) + ny * (dy + ey), 0.0
     if s.start[c] ~= 0 then
       s.push[c], s.impulse[c] = s.start[c] * b.dt, s.start[c]
       pushApart(b.to, s, c, s.push[c])
@@ -199,7 +200,7 @@ end
 
 -- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
 -- of each row so far. A row whose bodies have left each other again takes its push back.
-local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
+local function sweep(b, column, sum, passCount, isOfSpeeds)
   local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
   local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
@@ -211,7 +212,7 @@ local function sweep(b, column, sum, passCount, isOfSpeeds, isShock)
         local k, m = 2 * one[c], 2 * other[c]
         local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
         local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
-        local more = max(want, isShock and 0.0 or -sum[c])
+        local more = max(want, -sum[c])
         sum[c] = sum[c] + more
         if more ~= 0 then
           column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
@@ -298,8 +299,10 @@ local function limit(b, i)
   end
 end
 
+-- Returns whether row c touches, or has got a push (which shocks may have more than made good).
 local function isFlush(b, c)
-  return -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
+  local isPushed = not b.isWeightless and b.slants.push[c] > 0
+  return isPushed or -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
 end
 
 -- Notes which rows touch at the end of the step.
@@ -311,24 +314,6 @@ local function findFlush(b)
   end
   for n = 1, s.rows do
     s.isFlush[s.order[n]] = isFlush(b, s.order[n])
-  end
-end
-
--- Clears the pushes of the rows of bodies without room: between immovable ones, each pass has
--- pushed such a body to and fro.
-local function forgetJams(b)
-  local s = b.slants
-  for n = 1, s.rows do
-    local c = s.order[n]
-    local i, j = s.one[c], s.other[c]
-    if depthOf(b, c) > JAMMED * ball.smallest(b, i, j) then
-      s.jamAt[i], s.jamAt[j] = s.stamp, s.stamp
-    end
-  end
-  for c = 1, s.count do
-    if s.jamAt[s.one[c]] == s.stamp or s.jamAt[s.other[c]] == s.stamp then
-      s.push[c], s.impulse[c] = 0.0, 0.0
-    end
   end
 end
 
@@ -357,7 +342,8 @@ local function noteAll(b)
   local s, inHeap = b.slants, b.heapWork.inHeap
   for n = 1, s.rows do
     local c = s.order[n]
-    local i, j = s.one[c], s.other[c]
+    local i, j, p = s.one[c], s.other[c], s.pair[c]
+    s.pushedAt[p], s.pushOf[p], s.impulseOf[p] = b.solveStamp, s.push[c], s.impulse[c]
     if s.isFlush[c] then
       note(b, i)
       note(b, j)
@@ -368,42 +354,36 @@ local function noteAll(b)
   end
 end
 
--- Solves the places, then the speeds.
-local function solve(b, passCount, isShock)
-  weigh(b, isShock)
-  sweep(b, b.to, b.slants.push, passCount, false, isShock)
-  leaveWalls(b, b.to, false)
-  if not isShock then
-    findFlush(b)
-  end
-  sweep(b, b.speed, b.slants.impulse, passCount, true, isShock)
-  leaveWalls(b, b.speed, true)
+-- Makes passes over a column, with walls last.
+local function solve(b, column, sum, passCount, isOfSpeeds)
+  sweep(b, column, sum, passCount, isOfSpeeds)
+  leaveWalls(b, column, isOfSpeeds)
 end
 
 --- Pushes all pairs apart that end nearer to each other than they may be.
 function press.run(b, ofAll)
+  local s = b.slants
   listRows(b, ofAll)
-  if b.slants.rows == 0 then
+  if s.rows == 0 then
     return
   end
   listWalls(b)
-  solve(b, PASSES, false)
+  weigh(b, false)
+  solve(b, b.to, s.push, PASSES, false)
+  findFlush(b)
+  solve(b, b.speed, s.impulse, PASSES, true)
   if not b.isWeightless then
-    solve(b, SHOCKS, true)
+    weigh(b, true)
+    solve(b, b.to, s.lift, SHOCKS, false)
   end
-  forgetJams(b)
   noteAll(b)
 end
 
--- Returns whether body k has hardly moved on its axis, and hardly moves.
-local function isStill(b, k)
-  local x, u = path.motion(b, k), (b.speed[k] - path.rest(b, k)) * b.dt
-  return max(x, -x, u, -u) <= EPSILON
-end
-
--- Leaves slot i exactly where it was if it has hardly moved: rounding would let it creep.
+-- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
+-- creep, and a push of the shocks leaves it the speed that it had.
 local function rest(b, i)
-  if b.kind[i] == DYNAMIC and isStill(b, 2 * i) and isStill(b, 2 * i + 1) then
+  local x, y = path.motion(b, 2 * i), path.motion(b, 2 * i + 1)
+  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and max(x, -x, y, -y) <= EPSILON then
     path.putBack(b, i)
   end
 end

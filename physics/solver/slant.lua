@@ -55,14 +55,16 @@ function slant.begin(b)
     s.slop = {} -- px by which they may be nearer
     s.time, s.speed = {}, {} -- when they meet, and how fast
     s.isNew, s.isFlush = {}, {} -- it was not solved yet; the two touch at the end of the step
-    s.push, s.impulse = {}, {} -- by how much they are pushed apart: places, kg px; speeds, kg px/s
+    -- By how much they are pushed apart: places, kg px; speeds, kg px/s; places by shocks, kg px.
+    s.push, s.impulse, s.lift = {}, {}, {}
     s.start = {} -- impulse with which the passes begin, see `weigh` in press
+    s.pushedAt, s.pushOf, s.impulseOf = {}, {}, {} -- by pair: the solve of these pushes, see press
     s.height, s.first, s.second, s.new = {}, {}, {}, {} -- the order, see `listRows` in press
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
-    -- Rows of press, in order; by slot, stamps: it is connected with something violated; it had no
-    -- room; it is beside walls; the slots of these, by slot the first row of each, and by row the
-    -- next one; by slot: the last solve that it found no place in front of all its walls.
-    s.rows, s.walledCount, s.order, s.mark, s.jamAt = 0, 0, {}, {}, {}
+    -- Rows of press, in order; by slot, stamps: it is connected with something violated; it is
+    -- beside walls; the slots of these, by slot the first row of each, and by row the next one; by
+    -- slot: the last solve that it found no place in front of all its walls.
+    s.rows, s.walledCount, s.order, s.mark = 0, 0, {}, {}
     s.wallsAt, s.walled, s.firstWall, s.nextWall, s.viceAt = {}, {}, {}, {}, {}
     -- By slot: when something immovable touched it slanted as a step began; when it was first met
     -- by something immovable, and in which plane.
