@@ -144,8 +144,9 @@ describe("games of the kinds that are made show nothing that a player would noti
     end
   end)
 
-  it("survivors, in which a ball that others press met the hero in vain in each round", function()
-    assert.is_nil(games.play("survivors", 287, true))
+  -- A ball that others press met the hero in vain in each round; walls pushed balls back into others.
+  small.rows("{1}, {2}", { { "survivors", 287 }, { "arena", 54 } }, function(kind, seed)
+    assert.is_nil(games.play(kind, seed, true))
   end)
 end)
 
