@@ -3,7 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "14552558984513",
-  games5000001 = "1350121134",
-  games5000004 = "1779308709",
+  games5000001 = "1547620518",
+  games5000004 = "2058499993",
   games5000009 = "1119247308",
 }

@@ -177,9 +177,7 @@ end
 -- keys, or the group itself has another place.
 local function readChanges(b, record, first, isAll)
   local source = record.source
-  if record.count == 0 then
-    record.direct = check.isObject(source) -- it may have been filled since it was first seen
-  end
+  record.direct = check.isObject(source) -- it may have been filled since it was first seen
   record.newKeys, record.newCount = false, 1
   if not record.direct then
     listChanges(b, record, first)

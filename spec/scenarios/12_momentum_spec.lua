@@ -240,6 +240,22 @@ small.rows("restitution: ten of 0.9 that meet a heavier one stay apart: {2} px/s
   end)
 end)
 
+it("restitution: a row of 20 of 0.4 that touch goes on as one when it is struck", function()
+  scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
+    local description = { gravity = 0 }
+    for i = 1, 21 do
+      local fields = { vx = i == 1 and 1500 or 0, restitution = 0.4 }
+      description[i] = box("box" .. i, i == 1 and -30 or 10 * i, 0, 10, 10, fields)
+    end
+    local named = run:build(description)
+    run:step(1 / 30)
+    run:step(1 / 30)
+    for i = 1, 21 do
+      run:near("vx", named["box" .. i].vx, 1500 / 21, 1e-9)
+    end
+  end)
+end)
+
 it("restitution and masks: shots that pass each other all bounce off a wall in one step", function()
   scene.each({ rate = { 30, 60 }, push = { "both" } }, function(run)
     local description = { gravity = 0, masks = { boxes = { boxes = false } } }
