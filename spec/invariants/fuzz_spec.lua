@@ -144,7 +144,7 @@ describe("games of the kinds that are made show nothing that a player would noti
     end
   end)
 
-  -- A ball that others press met the hero in vain in each round; walls pushed balls back into others.
+  -- A ball that others press met the hero in vain in each round; walls pushed balls into others.
   small.rows("{1}, {2}", { { "survivors", 287 }, { "arena", 54 } }, function(kind, seed)
     assert.is_nil(games.play(kind, seed, true))
   end)
