@@ -3,7 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "14552558984513",
-  games5000001 = "1547620518",
-  games5000004 = "2058499993",
-  games5000009 = "1119247308",
+  games5000001 = "294313402",
+  games5000004 = "536024329",
+  games5000009 = "1215813860",
 }

@@ -206,9 +206,6 @@ function friction.run(b, axis, dt)
   end
   local isGlued = false
   for attempt = 1, ATTEMPTS do
-    for c = 1, rubbed.count do -- notes of an earlier attempt may be wrong now
-      b.pressed[rubbed.pair[c]] = 0
-    end
     flow.reset(b, other, dt)
     flow.runAll(b, dt)
     local areLeft = settle.hold(b, rubbed, dt)

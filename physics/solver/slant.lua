@@ -120,11 +120,9 @@ local function isElastic(b, i, j, u)
   return pull == 0 or u > 2 * b.dt * pull
 end
 
--- Returns whether slot i or slot j is round, and they can press each other.
+-- Returns whether slots i and j can press each other.
 local function mayPress(b, i, j)
-  return ball.isRound(b, i, j)
-    and b.give[2 * i] + b.give[2 * j] > 0
-    and min(b.power[i], b.power[j]) < huge
+  return b.give[2 * i] + b.give[2 * j] > 0 and min(b.power[i], b.power[j]) < huge
 end
 
 -- Makes plane c, or a new one, of pair p.
@@ -174,7 +172,7 @@ end
 --- Returns whether it is.
 function slant.takes(b, p)
   local i, j = slotsOf(b, p)
-  if ball.isCaught(b, p) or not mayPress(b, i, j) then
+  if ball.isCaught(b, p) or not (ball.isRound(b, i, j) and mayPress(b, i, j)) then
     return false
   end
   local gap, nx, ny = gapIn(b, b.from, i, j)
@@ -270,8 +268,9 @@ function slant.meet(b, p, t)
   return true
 end
 
---- Makes planes of the pairs that were apart when the step began and end in each other: one of the
---- two had an impact, and others have changed the path of the other one before that.
+--- Makes planes of the pairs, also of boxes, that were apart when the step began and end in each
+--- other: one of the two had an impact, and others have changed the path of the other one before
+--- that.
 function slant.findLate(b)
   for n = 1, b.liveCount do
     local p = b.live[n]

@@ -152,9 +152,6 @@ local function runRounds(b, dt, awakenings)
     elseif n == ROUNDS then
       return true
     end
-    if b.walks then
-      walk.run(b, dt, false)
-    end
     settleLate(b, dt, false)
     pressRound(b, dt, false)
   end

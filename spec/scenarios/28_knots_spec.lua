@@ -195,6 +195,14 @@ describe("x, y, vx and vy: a knot of a random game", function()
         .. "o 47 145 12 -51 - pair, b -64 180 368 - - wall",
     },
     {
+      "balls press a box into another one that had an impact before",
+      60,
+      1,
+      "b 618.16 460.67 20 -97 39 pair, o 604.27 452.2 14 -85 40,"
+        .. "o 570.61 438.05 34 -44 55 heavy, o 604.19 466.18 14 -88 30,"
+        .. "b 609.78 480.74 20 -96 4 pair, o 638.19 463.11 22 -89 23, o 629.75 480.71 14 -90 18",
+    },
+    {
       "two that others press into each other in the step leave each other",
       30,
       1,
