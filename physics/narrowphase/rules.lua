@@ -4,7 +4,8 @@
 --
 -- The side in the field `oneWay` is solid, the others are open. That is decided in `lets`, and,
 -- where no pair is at hand, in `carrierAt` of motion/carriers.lua and `isClosed` of
--- queries/query.lua. The side on which two meet slanted is that of `shapes.sideOf`.
+-- queries/query.lua. The side of a slanted meeting, and so the solid quarter of a round one-way
+-- object, is that of `shapes.sideOf`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")

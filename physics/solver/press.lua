@@ -11,7 +11,7 @@
 --       ( )          1. PASSES over the rows, from below to above, those of immovable bodies last.
 --      ( )( )           Rows are the planes, and the contacts along an axis of the same bodies.
 --     ( )( )( )         Without gravity pushes are EAGER times as long, but in the last two passes,
---   ##############      and a rest of LEFT slops may stay.
+--   ##############      and planes up to LEFT slops deep are not pressed again.
 --                    2. Immovable bodies come last: each body ends at the nearest place in front of
 --                       all that stop it (`leaveWalls`), which passes reach slowly. But a body goes
 --                       no farther than FURTHEST in all, on each axis (`limit`).
@@ -306,7 +306,7 @@ local function isFlush(b, c)
   return isPushed or -depthOf(b, c) <= max(b.slants.slop[c], EPSILON)
 end
 
--- Notes which rows touch at the end of the step.
+-- Notes which rows touch at the end of the step, where no body goes farther than `limit` lets it.
 local function findFlush(b)
   local s = b.slants
   for n = 1, s.rows do
@@ -361,7 +361,8 @@ local function solve(b, column, sum, passCount, isOfSpeeds)
   leaveWalls(b, column, isOfSpeeds)
 end
 
---- Pushes all pairs apart that end nearer to each other than they may be.
+--- Pushes new planes apart, violated ones of changed bodies (`ofAll`: of all), and rows of bodies
+--- that these connect.
 function press.run(b, ofAll)
   local s = b.slants
   listRows(b, ofAll)
