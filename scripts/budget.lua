@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 836 },
   { "physics/queries", 962 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3329 },
+  { "physics/solver", 3331 },
   { "physics/space", 505 },
   { "physics/state", 959 },
   { "physics/world", 1356 },
