@@ -17,10 +17,11 @@
 --                       no farther than FURTHEST in all, on each axis (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
---                    4. Under gravity 1 and 2 again for the places alone, SHOCKS passes in which
---                       the lower body does not give way, so that a heap does not sink. (With
---                       speeds, momentum would be lost.) Their pushes begin at 0 and are not noted,
---                       FURTHEST does not apply, and which rows touch is not found anew.
+--                    4. 1 and 2 again for the places alone, since walls have pushed bodies back
+--                       into others: SHOCKS passes, with pushes that begin at 0 and are not noted.
+--                       Under gravity the lower body does not give way, so that a heap does not
+--                       sink. (With speeds, momentum would be lost.) FURTHEST does not apply, and
+--                       which rows touch is not found anew.
 --                    5. Pushes are noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
@@ -52,7 +53,7 @@ local press = {}
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
 local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
--- Passes over the rows, and those after them in which the lower one does not give way.
+-- Passes over the rows, and those over the places after them.
 local PASSES, SHOCKS = 16, 6
 -- Factor of each push but the last ones, where there is no gravity: many are pressed from outside
 -- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
@@ -373,10 +374,8 @@ function press.run(b, ofAll)
   solve(b, b.to, s.push, PASSES, false)
   findFlush(b)
   solve(b, b.speed, s.impulse, PASSES, true)
-  if not b.isWeightless then
-    weigh(b, true)
-    solve(b, b.to, s.lift, SHOCKS, false)
-  end
+  weigh(b, true)
+  solve(b, b.to, s.lift, SHOCKS, false)
   noteAll(b)
 end
 
