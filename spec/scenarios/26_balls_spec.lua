@@ -236,6 +236,16 @@ describe("radius: a ball", function()
     assert.equal(meet(false), meet(true))
   end)
 
+  it("beside a stone makes way for a box that leaves the floor by a hair", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floors", tile(70, 193.999, 80, 80))
+    world:add("stones", ball(41, 185, 20, { static = true }))
+    world:add("balls", ball(74.5, 167.5, 15.5))
+    local object = world:add("boxes", small.put(74, 183, 11, 11))
+    world:update(1 / 60)
+    assert.equal(74, object.x) -- 90 when the ball counted as being in the stone, as boxes do
+  end)
+
   it("is what world:move and world:sweep see", function()
     local world = physics.newWorld({ gravity = 0 })
     world:add("stones", ball(100, 100, 20, { static = true }))
