@@ -1,6 +1,7 @@
 --- Motion: `maxSpeed` and `drag`. (What moves alone is in oracles/.) An object that pulls harder
 --- than its speed limit lets it go: an engine (`ax`) with friction, drag or crates in its way.
 
+local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 
@@ -158,3 +159,16 @@ row("maxSpeed: nor is a ball that rolls down a slope", LEVELS, { gravity = 800, 
   { 1, "a.vx ^ 2 + a.vy ^ 2 <= 200 ^ 2 + 1e-6" },
   "a.vx ^ 2 + a.vy ^ 2 > 190 ^ 2; a.touching.bottom == ramp",
 })
+
+it("maxSpeed: a box that is driven at the back of a slope falls as at a wall", function()
+  for _, slope in ipairs({ "left", "topleft" }) do
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("ramps", { x = 16, y = 0, width = 200, height = 800, static = true, slope = slope })
+    local object = world:add("boxes", { x = 0, y = 100, width = 16, height = 16, maxSpeed = 200 })
+    for _ = 1, 30 do
+      object.vx = 200
+      world:update(1 / 60)
+    end
+    assert.equal(200, object.vy)
+  end
+end)
