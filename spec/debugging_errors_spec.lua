@@ -296,7 +296,7 @@ it("world:update refuses a group of objects that gets the fields of an object", 
   world.objects = { boxes = boxes }
   world:update(1 / 60)
   small.set(boxes, object())
-  refuses("objects.boxes.height must be an object (a table), got 10", function()
+  refuses("objects.boxes.height must be an object (a table), got 4", function()
     world:update(1 / 60)
   end)
 end)
