@@ -186,7 +186,7 @@ function slant.takes(b, p)
   put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
   b.slants.speed[c] = u
   if b.give[2 * i] == 0 or b.give[2 * j] == 0 then
-    b.slants.leansAt[i], b.slants.leansAt[j] = b.solveStamp, b.solveStamp
+    b.slants.leansAt[b.give[2 * i] == 0 and j or i] = b.solveStamp
   end
   return true
 end

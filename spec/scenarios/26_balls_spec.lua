@@ -223,6 +223,19 @@ describe("radius: a ball", function()
     end)
   end)
 
+  it("meets a stone and a lift whether or not another one leans on the stone", function()
+    local function meet(hasOther)
+      local world = physics.newWorld({ gravity = 800 })
+      world:add("stones", ball(150, 180, 20, { static = true }))
+      world:add("lifts", small.put(66.3, 129.2, 60, 12, { kinematic = true, vy = 75 }))
+      local object = world:add("balls", ball(136.578, 149.851, 13, { vx = -86, vy = 37 }))
+      world:add("balls", ball(hasOther and 175.6 or 300, 160.8, 12))
+      world:update(1 / 144)
+      return object.x
+    end
+    assert.equal(meet(false), meet(true))
+  end)
+
   it("is what world:move and world:sweep see", function()
     local world = physics.newWorld({ gravity = 0 })
     world:add("stones", ball(100, 100, 20, { static = true }))
