@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/fields", 670 },
   { "physics/maps", 2478 },
   { "physics/memory", 776 },
-  { "physics/motion", 990 },
+  { "physics/motion", 987 },
   { "physics/narrowphase", 567 },
   { "physics/objects", 1305 },
   { "physics/overlaps", 836 },
