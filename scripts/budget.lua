@@ -15,16 +15,16 @@ local BUDGET = {
   { "physics/fields", 670 },
   { "physics/maps", 2478 },
   { "physics/memory", 776 },
-  { "physics/motion", 990 },
+  { "physics/motion", 987 },
   { "physics/narrowphase", 567 },
-  { "physics/objects", 1303 },
+  { "physics/objects", 1305 },
   { "physics/overlaps", 836 },
   { "physics/queries", 962 },
   { "physics/sleep", 81 },
   { "physics/solver", 3331 },
   { "physics/space", 505 },
   { "physics/state", 959 },
-  { "physics/world", 1356 },
+  { "physics/world", 1362 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

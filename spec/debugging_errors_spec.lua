@@ -290,6 +290,17 @@ small.rows("world:update, save and hash refuses: {1}; nothing has entered", {
   assert.is_nil(member.touching)
 end)
 
+it("world:update refuses a group of objects that gets the fields of an object", function()
+  local world = physics.newWorld()
+  local boxes = { object() }
+  world.objects = { boxes = boxes }
+  world:update(1 / 60)
+  small.set(boxes, object())
+  refuses("objects.boxes.height must be an object (a table), got 4", function()
+    world:update(1 / 60)
+  end)
+end)
+
 describe("world:update", function()
   small.rows("refuses dt that is not {2}", {
     { "0.1", 'a number >= 0, got "0.1"' },

@@ -195,6 +195,10 @@ it("world:touching answers with the side of the first", function()
   assert.is_nil(world:touching(object, object))
   world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
   assert.is_nil(world:touching(object, far))
+  world.sideBySide = "no"
+  assert.has_error(function()
+    world:queryRect(0, 0, 10, 10)
+  end)
 end)
 
 -- Velocities and room -------------------------------------------------------------------------

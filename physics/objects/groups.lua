@@ -177,7 +177,9 @@ end
 -- keys, or the group itself has another place.
 local function readChanges(b, record, first, isAll)
   local source = record.source
-  record.direct = check.isObject(source) -- it may have been filled since it was first seen
+  if record.count == 0 then
+    record.direct = check.isObject(source) -- it may have been filled since it was first seen
+  end
   record.newKeys, record.newCount = false, 1
   if not record.direct then
     listChanges(b, record, first)
