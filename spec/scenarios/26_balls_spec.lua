@@ -402,6 +402,16 @@ describe("radius and slope: a marble", function()
     end
   end)
 
+  small.rows("bounces alike off a ramp that moves by {1} px/s, 144 Hz", { 0, -32, 32 }, function(speed)
+    local world = physics.newWorld({ gravity = 900 })
+    local fields = { slope = "left", kinematic = true, vy = speed }
+    world:add("ramps", small.put(-100, 200, 900, 450, fields))
+    local one = ball(48, 274 - 80 ^ 0.5, 8, { vx = 30, vy = speed, restitution = 0.3 })
+    world:add("balls", one)
+    small.run(world, 5, 144)
+    near(41.0545, one.x, 1e-4)
+  end)
+
   small.rows("rolls down a ramp alike that moves by {1} px/s", { 0, -32, 32 }, function(speed)
     local world, air = physics.newWorld({ gravity = 900 }), 0
     local fields = { slope = "left", kinematic = true, vy = speed }
