@@ -374,6 +374,9 @@ describe("loadTiled: a level", function()
       world:update(1 / 60)
       assert.equal(5, load(map).walls[1].Mass)
     end
+    tiles[1].properties = { Static = true }
+    local map = newMap({ tiled.tiles(1, "ice", { "1." }) }, tiles)
+    assert.equal(1, load(map, { solidProperty = "Static" }, { checked = true }).tiles)
   end)
 end)
 

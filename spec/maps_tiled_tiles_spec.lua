@@ -135,8 +135,8 @@ by an area | all | #1 | tiles = "zone"
   all 0 0 16 16 area={gravity=5} sensor static
 by a field of their layer | all oneWay:top | #77.7 | tiles = "spoken"
   all 0 0 32 16 friction=0.5 oneWay=top static; all 48 0 16 16 friction=0.5 oneWay=top static
-as slopes, by their layer | all slope:left | #7 | tiles = "spoken"
-  all 0 0 16 16 friction=0.5 slope=left static
+as slopes, by their layer, but with their shapes | all slope:left | #15 | tiles = "low"
+  all 0 0 16 16 slope=left static; all 16 8 16 8 static
 by groups, and apart if they say so | ground | #112233 | tiles = "groups"
   ground 0 0 32 16 static; ice 32 0 32 16 static; ground 64 0 16 16 static
   ground 80 0 16 16 static

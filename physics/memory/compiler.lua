@@ -1,6 +1,6 @@
 ---@diagnostic disable
 --- Gives LuaJIT's trace compiler room for the library, and takes functions from it. Where there is
--- no compiler, nothing happens.
+--- no compiler, nothing happens.
 --
 -- A trace is one path through the code, branch by branch. The library has up to 2500 in a scene.
 -- LuaJIT has room for 1000 in the whole program, in 512 kB, LÖVE 11.4 for 2000, in 16 MB. When the

@@ -23,7 +23,7 @@
 --
 -- - Ground is a support that cannot be moved along the surface (`addGround`). The body slides,
 --   stops, turns or sticks on it exactly (see flow.lua).
--- - A support that can be moved has a bond with the body (`bonds.add`).
+-- - A support that can be moved: a bond up to mu times the load (`bonds.add`).
 --
 -- One pass would be enough if all supports were ground. Bonds may break or form when the other axis
 -- is settled, so that is repeated up to ATTEMPTS times (see bonds.lua).
@@ -34,8 +34,8 @@
 --
 -- A field that changes the coefficient (as rolling friction of round bodies, for which
 -- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
--- `hint = "hasFriction"`, and one line in `friction.coefficient`: all four places ask that. It must
--- not depend on which of the two bodies comes first. Slanted contacts (a ball on a slope, on a
+-- `hint = "hasFriction"`, and a term in all three results of `friction.coefficient`, which all
+-- four places ask: the same with i and j exchanged. Slanted contacts (a ball on a slope, on a
 -- corner, on a ball) have none: see ARCHITECTURE, friction.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -85,9 +85,9 @@ local function chooseSupport(b, list, k, c, other)
 end
 
 -- Returns whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1): it
--- has lost speed to m, and either something immovable holds m, or gravity presses k onto
--- m, which gives way. (If m itself leans on nothing there, a bond below k may have stopped both as
--- one block: k does not press m.)
+-- has lost speed to m. If m is held, it is immovable, or gravity acts that way, or m leans there,
+-- too (else a bond below k may have stopped both as one block). If not, gravity acts that way, and
+-- m has not lost speed.
 local function leans(b, list, k, m, sign)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
   if b.give[k] == 0 or lost < 0 then
@@ -190,8 +190,8 @@ local function walk(b, list, held, dt, rubs)
   end
 end
 
---- Applies the friction of the contacts of an axis, which is settled, along the other axis, and
---- settles that axis. Returns false, and does nothing, if no contact rubs.
+--- Applies the friction of the contacts of a settled axis along the other one, and settles that
+--- (see `settleTouching` in solver). Returns false, and does nothing, if no contact rubs.
 function friction.run(b, axis, dt)
   b.bonds = b.bonds or { [0] = bonds.new(), bonds.new() }
   local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
