@@ -107,9 +107,8 @@ local function prepare(b, list, t, tau)
     path.advance(b, j, t)
     local u, a, nx, ny = ball.closing(b, i, j, t, tau)
     local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
-    local k, m = 2 * i, 2 * j
-    list.vx[i], list.vy[i] = ball.speedAt(b, k, m, tau), ball.speedAt(b, k + 1, m + 1, tau)
-    list.vx[j], list.vy[j] = ball.speedAt(b, m, k, tau), ball.speedAt(b, m + 1, k + 1, tau)
+    list.vx[i], list.vy[i] = ball.speedAt(b, 2 * i, tau), ball.speedAt(b, 2 * i + 1, tau)
+    list.vx[j], list.vy[j] = ball.speedAt(b, 2 * j, tau), ball.speedAt(b, 2 * j + 1, tau)
     list.nx[n], list.ny[n], list.impulse[n] = nx, ny, 0.0
     list.lowX[n], list.lowY[n], list.highX[n], list.highY[n] = nx * ix, ny * iy, nx * jx, ny * jy
     list.total[n] = nx * nx * (ix + jx) + ny * ny * (iy + jy)
