@@ -191,3 +191,19 @@ describe("slope: a wedge", function()
     end)
   end
 end)
+
+it("slope: boxes that are pushed up a slope, below a ceiling, end in no others", function()
+  local world, boxes = physics.newWorld({ gravity = 900 }), {}
+  world:add("walls", small.tile(-100, 60, 500, 16))
+  world:add("walls", small.tile(-100, 5, 500, 8))
+  world:add("walls", small.tile(140, 22, 64, 38, { slope = "right" }))
+  for n, size in ipairs({ { 13, 18 }, { 13, 10 }, { 18, 20 }, { 18, 11 } }) do
+    boxes[n] = world:add("boxes", small.put(20 * n, 60 - size[2], size[1], size[2]))
+  end
+  for _ = 1, 40 do
+    boxes[1].vx = 120
+    world:update(1 / 30)
+    local one, other = boxes[2], boxes[3]
+    assert.is_true(math.max(other.x - one.x - one.width, one.y - other.y - other.height) > -0.01)
+  end
+end)
