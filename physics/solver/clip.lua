@@ -200,8 +200,8 @@ end
 
 -- Returns where box i ends, if it is to come to no wall, and leaves the half-planes on which it is
 -- there; nil: there is no such place. Box i ends at most as far from its goal as the step, or its
--- path, began, plus the ways of the listed walls. Faces are those in front of which it was when its path began,
--- or if that was in a wall, when the step began.
+-- path, began, plus the ways of the listed walls. Faces are those in front of which it was when its
+-- path began, or if that was in a wall, when the step began.
 local function findPlace(b, i)
   local k, most, t = 2 * i, max(wayOf(b, i, b.origin), wayOf(b, i, b.from)) + NEAR, b.time[i]
   local startX, startY = b.from[k], b.from[k + 1] -- (no column: `lookUp` may replace that)
