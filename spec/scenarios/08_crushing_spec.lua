@@ -414,26 +414,6 @@ it("onCrush: balls that lean on each other are told at each stroke of a press", 
   end
 end)
 
---   #(box)      [slanted lift](box)#    The lift squeezes the right box, and then goes on: the left
---                                      box is told when they reach it.
-it("onCrush: is told by what touches the object, not by one that is held elsewhere", function()
-  local world, told = physics.newWorld({ gravity = 0 }), 0
-  world:add("walls", small.tile(48, 32, 16, 16))
-  world:add("walls", small.tile(128, 32, 16, 16))
-  local lift = small.put(230, 45, 60, 19, { slope = "topright", kinematic = true, vx = -50 })
-  world:add("lifts", lift)
-  world:add("boxes", small.put(150, 34, 12, 12, { vx = 32 }))
-  world:add("boxes", small.put(67, 29, 12, 12, { vx = -100 }))
-  function world.onCrush(object, a, b)
-    for _, other in ipairs({ a, b }) do
-      local gap = math.max(object.x - other.x - other.width, other.x - object.x - object.width)
-      told = math.max(told, gap)
-    end
-  end
-  small.run(world, 240)
-  assert.is_true(told < 4)
-end)
-
 it("onCrush: names two objects of the world where only one side of an object is pressed", function()
   local world, told = physics.newWorld({ gravity = 800 }), 0
   local function put(group, x, y, width, height, fields)
