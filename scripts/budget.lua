@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 842 },
   { "physics/queries", 962 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3332 },
+  { "physics/solver", 3342 },
   { "physics/space", 505 },
   { "physics/state", 959 },
   { "physics/world", 1362 },
