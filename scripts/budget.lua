@@ -16,14 +16,14 @@ local BUDGET = {
   { "physics/maps", 2478 },
   { "physics/memory", 776 },
   { "physics/motion", 988 },
-  { "physics/narrowphase", 567 },
+  { "physics/narrowphase", 574 },
   { "physics/objects", 1305 },
-  { "physics/overlaps", 842 },
+  { "physics/overlaps", 836 },
   { "physics/queries", 962 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3342 },
+  { "physics/solver", 3345 },
   { "physics/space", 505 },
-  { "physics/state", 959 },
+  { "physics/state", 962 },
   { "physics/world", 1362 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

@@ -20,7 +20,7 @@ local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 --- through the lower half of a pointer to the stack.
 function compiler.leave(...)
   for n = 1, jit and select("#", ...) or 0 do
-    jit.off((select(n, ...)), true)
+    jit.off(assert((select(n, ...))), true) -- (nil would be the whole compiler)
   end
 end
 

@@ -347,7 +347,9 @@ local function noteAll(b)
   for n = 1, s.rows do
     local c = s.order[n]
     local i, j, p = s.one[c], s.other[c], s.pair[c]
-    s.pushedAt[p], s.pushOf[p], s.impulseOf[p] = b.solveStamp, s.push[c], s.impulse[c]
+    if c > s.count then
+      s.pushedAt[p], s.pushOf[p], s.impulseOf[p] = b.solveStamp, s.push[c], s.impulse[c]
+    end
     if s.isFlush[c] then
       note(b, i)
       note(b, j)

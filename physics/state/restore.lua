@@ -146,9 +146,7 @@ local function writeFields(b, st, objects)
   return odd
 end
 
--- Puts the objects into the game's groups. Groups that are not in the state are emptied.
-local function place(world, st, objects)
-  local n = 0
+local function emptyGroups(world)
   for name, members in next, world.objects, nil do
     if type(members) ~= "table" or check.isObject(members) then
       world.objects[name] = nil
@@ -156,6 +154,12 @@ local function place(world, st, objects)
       clear(members)
     end
   end
+end
+
+-- Puts the objects into the game's groups. Groups that are not in the state are emptied.
+local function place(world, st, objects)
+  local n = 0
+  emptyGroups(world)
   for _, group in ipairs(st.groups) do
     world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
     local owner = ownerOf(world, group)
@@ -330,6 +334,6 @@ function restore.world(world, st)
   return sentence, new
 end
 
-require(root .. ".memory.compiler").leave(clear, place)
+require(root .. ".memory.compiler").leave(clear, emptyGroups)
 
 return restore
