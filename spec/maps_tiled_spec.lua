@@ -234,9 +234,6 @@ have the size of the editor | things | 0 0 8 8 width:8 x:0; 0 0 8 8 width:9 x:1;
   things 0 0 8 8 sensor static; things 0 0 8 8 sensor static; things 0 0 8 8 sensor static
 are walls by their layer before their mass | walls | 0 0 8 8 mass:2; 9 0 8 8 kinematic:true
   walls 0 0 8 8 mass=2 static; walls 9 0 8 8 kinematic
-of a layer that drifts | hills parallaxy=0.5 | 0 0 8 8
-  hills 0 0 8 8 sensor static; ! hills: parallax: its objects do not drift
-none of a layer that drifts | hills parallaxy=0.5 | solid 0 0 8 8 solid:false
 polygon, a rectangle | walls | polygon 0 0 0 0 0,0 40,0 40,10 0,10
   walls 0 0 40 10 static
 polygon, the other way round | walls | polygon 0 0 0 0 0,0 0,10 40,10 40,0
