@@ -38,7 +38,6 @@ describe("world:loadTiled, tiles", function()
   describe("are solid", function()
     local LAYER, NO, YES = { solidLayers = { "ground" } }, { solid = false }, { solid = true }
     local LEGEND = { a = 5 + X, b = 6 + Y + T, c = 5 + 268435456.0 } -- flipped
-    local BOTH = { solidLayers = { "ground" }, solidTiles = { 6 } }
 
     -- why, the tiles, properties of their layer and of one around it, options, how many are solid
     small.rows("{1}", {
@@ -48,13 +47,9 @@ describe("world:loadTiled, tiles", function()
       { "by a layer around theirs", "555", nil, YES, nil, 3 },
       { "but not against their own layer", "555", NO, {}, { solidLayers = { "all" } }, 0 },
       { "by the nearest layer that says anything", "5", YES, NO, nil, 1 },
-      { "by the nearest, before solidTiles", "5", nil, NO, { solidTiles = { 5 } }, 0 },
-      { "by a longer list of gids", "1a5bc...", nil, nil, { solidTiles = { 5, 6 } }, 5 },
-      { "but not in a layer that says no", "1234", NO, nil, { solidTiles = { 1 } }, 0 },
+      { "however they are flipped", "1a5bc...", YES, nil, nil, 4 },
       { "in one that says no, by its name", "1234", NO, nil, LAYER, 4 },
-      { "by an option, whatever they say", "666", nil, nil, { solidTiles = { 6 } }, 3 },
       { "by no name of a layer if they say no", "666", NO, nil, LAYER, 0 },
-      { "by both options", "666", NO, nil, BOTH, 3 },
     }, function(_, cells, its, around, options, count)
       local map = newMap({ cells }, { properties = its }, LEGEND)
       if around then
@@ -152,7 +147,7 @@ as halves that merge along the side where they meet | ground | #11.22 11.22 | ti
   ground 64 0 8 32 static
 as circles | ground | #11 2. | tiles = "round"
   ground 2 4 8 8 radius=4 static; ground 18 4 8 8 radius=4 static
-  ! ground: ellipse: only circles are round; the option ellipses = "box" makes it a box
+  ! ground: ellipse: only circles are round
 with a turned shape | ground | #.11 | tiles = "turned"
   ground 16 0 32 4 static
 with images of their own | ground | #36 | tiles = "images", set = "few", solidLayers = { 1 }
@@ -217,6 +212,12 @@ without fields that do not fit each other, which are named once | ground | #1.1 
     assert.same({ 4, 1, nil }, { level.tiles, level.rectangles, level.objects[1].tiled.gid })
   end)
 
+  it("are there, too, if the image of their tileset was missing at the export", function()
+    local set = tiled.tileset({}, { tilecount = 0 })
+    local level = load(tiled.map({ set }, { tiled.tiles(1, "walls", { "15.9" }) }))
+    assert.same({ 3, 2, 0 }, { level.tiles, #level.objects, #level.unsupported })
+  end)
+
   it("are refused behind the last tileset, in whichever order the map lists them", function()
     local first = tiled.tileset({}, { tilecount = 4 })
     local second = tiled.tileset({}, { firstgid = 5, tilecount = 4 })
@@ -262,7 +263,8 @@ end)
 
 describe("world:loadTiled, packed layers", function()
   local PLAIN = dofile("spec/maps/meadow.lua")
-  local REASON = "nothing here can unpack it; choose CSV as Tile Layer Format in the map's properties"
+  local REASON =
+    "nothing here can unpack it; choose CSV as Tile Layer Format in the map's properties"
 
   -- Returns a map of three tiles, of which data is packed in that way.
   local function packed(compression, data, encoding)
