@@ -169,7 +169,7 @@ turned | things | 100 200 16 16 gid=3 rotation=90 | tiles = "half"
   things 100 204 10 8 friction=0.25 sensor static
 with several shapes of their tile | things | 100 200 16 16 gid=3 | tiles = "twice"
   things 100 184 16 16 sensor static; ! things: its tile has 2 rectangles: the whole tile counts
-with a tile that says no | things | 0 16 16 16 gid=3 solid:true | tiles = "no", solidTiles = { 3 }
+with a tile that says no | things | 0 16 16 16 gid=3 solid:true | tiles = "no"
 are points | things offsetx=100 | point 30 40 0 0 name=player type=spawn; 50 60 0 0 vx:5 | y = 99
   point 130 139 name=player type=spawn; point 150 159 vx=5
 without a size on one side | things | 0 0 8 0; 0 0 0 8 gid=1
@@ -196,17 +196,12 @@ of other shapes | things | capsule 0 0 8 8; text 0 0 8 8
   ! things: capsule: only rectangles are boxes; ! things: text: only rectangles are boxes
 are circles, no ellipses | things | ellipse 0 0 8 8; ellipse 0 0 16 8
   things 0 0 8 8 radius=4 sensor static; ! things: ellipse: only circles are round
-  the option ellipses = "box" makes it a box
 are circles by their radius, if it fits | things | 0 0 8 8 static:true radius:4; 0 0 8 8 radius:5
   things 0 0 8 8 radius=4 static; things 0 0 8 8 sensor static
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
 do not fall for what walls may have | things | 0 0 8 8 radius:96; 9 0 8 8 carry:false strength:2
   things 0 0 8 8 sensor static; things 9 0 8 8 carry=false sensor static strength=2
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
-are the boxes of ellipses | things | ellipse 0 0 16 8 | ellipses = "box"
-  things 0 0 16 8 sensor static
-are the circles in ellipses | things | ellipse 10 0 16 8 | ellipses = "circle"
-  things 14 0 8 8 radius=4 sensor static
 of several boxes stand | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 solid:true
   things 9 9 10 20 static; things 9 29 30 10 static
 of several boxes do not move | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 static:false
@@ -234,9 +229,6 @@ have the size of the editor | things | 0 0 8 8 width:8 x:0; 0 0 8 8 width:9 x:1;
   things 0 0 8 8 sensor static; things 0 0 8 8 sensor static; things 0 0 8 8 sensor static
 are walls by their layer before their mass | walls | 0 0 8 8 mass:2; 9 0 8 8 kinematic:true
   walls 0 0 8 8 mass=2 static; walls 9 0 8 8 kinematic
-of a layer that drifts | hills parallaxy=0.5 | 0 0 8 8
-  hills 0 0 8 8 sensor static; ! hills: parallax: its objects do not drift
-none of a layer that drifts | hills parallaxy=0.5 | solid 0 0 8 8 solid:false
 polygon, a rectangle | walls | polygon 0 0 0 0 0,0 40,0 40,10 0,10
   walls 0 0 40 10 static
 polygon, the other way round | walls | polygon 0 0 0 0 0,0 0,10 40,10 40,0
