@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 629 },
   { "physics/contacts", 384 },
   { "physics/fields", 670 },
-  { "physics/maps", 2411 },
+  { "physics/maps", 2394 },
   { "physics/memory", 776 },
   { "physics/motion", 988 },
   { "physics/narrowphase", 574 },

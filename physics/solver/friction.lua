@@ -11,7 +11,8 @@
 --      ///////////////////        load of b on the ground: that of a, and the impulse taken off b
 --
 -- The load of a body is summed up from the top of a stack down, and goes to one support: the one
--- with the widest common edge (`findSupports`). A load has two parts:
+-- with the widest common edge (`findSupports`). Slanted contacts add no load, as they are solved
+-- after friction: a ball under a heap rubs with its own weight. A load has two parts:
 --
 -- - Weight, the part that the body's own acceleration causes. It acts through the whole step, as a
 --   constant grip of mu weight / dt.
@@ -36,7 +37,7 @@
 -- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
 -- `hint = "hasFriction"`, and a term in all three results of `friction.coefficient`, which all
 -- four places ask: the same with i and j exchanged. Slanted contacts (a ball on a slope, on a
--- corner, on a ball) have none: see ARCHITECTURE, friction.
+-- corner, or beside the middle of another ball) have none: see ARCHITECTURE, friction.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
