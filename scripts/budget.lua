@@ -10,14 +10,14 @@ local files = require("spec.support.files")
 
 local BUDGET = {
   { "physics.lua", 83 },
-  { "physics/broadphase", 629 },
+  { "physics/broadphase", 617 },
   { "physics/contacts", 384 },
   { "physics/fields", 670 },
-  { "physics/maps", 2478 },
-  { "physics/memory", 776 },
+  { "physics/maps", 2382 },
+  { "physics/memory", 775 },
   { "physics/motion", 988 },
   { "physics/narrowphase", 574 },
-  { "physics/objects", 1305 },
+  { "physics/objects", 1291 },
   { "physics/overlaps", 836 },
   { "physics/queries", 962 },
   { "physics/sleep", 81 },

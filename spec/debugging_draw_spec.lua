@@ -160,38 +160,6 @@ describe("draw", function()
     assert.same({ 2, 3, 4, 5, 6, 7 }, order)
   end)
 
-  local KINDS = {
-    { static = true },
-    { kinematic = true },
-    { vx = 1 },
-    { vx = 0, vy = 0 },
-    { sensor = true },
-    { static = true, oneWay = "top" },
-    {}, -- what has no velocity rests
-  }
-
-  -- Source: WCAG 2.1, relative luminance and contrast ratio; 3 is what it asks of graphics.
-  it("gives each kind a colour of its own, with a contrast of 3 to black and white", function()
-    local function light(share)
-      return share <= 0.03928 and share / 12.92 or ((share + 0.055) / 1.055) ^ 2.4
-    end
-    local seen = {}
-    for n, fields in ipairs(KINDS) do
-      graphics, calls = newRecorder()
-      rawset(_G, "love", { graphics = graphics })
-      drawn({ boxes = { box(fields) } })
-      local color = calls[#calls].color
-      local weighted = 0.2126 * light(color[1])
-        + 0.7152 * light(color[2])
-        + 0.0722 * light(color[3])
-      assert.is_true(1.05 / (weighted + 0.05) >= 3, "on white: " .. n)
-      assert.is_true((weighted + 0.05) / 0.05 >= 3, "on black: " .. n)
-      local text = table.concat(color, " ")
-      assert.equal(n == #KINDS and 4 or nil, seen[text])
-      seen[text] = n
-    end
-  end)
-
   it("writes group and key when asked, with a shadow", function()
     drawn({ boxes = { box({}) }, hero = box({}) }, { names = true })
     local words = {}

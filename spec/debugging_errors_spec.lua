@@ -143,6 +143,10 @@ describe("every function: an error", function()
     { { drag = 1e101 }, ".drag must be a number in 0..1e+100, got 1e+101" },
     { { width = 1e101 }, ".width must be a number > 0 and <= 1e+100, got 1e+101" },
     { { mass = 1e-101 }, ".mass must be a number >= 1e-100, got 1e-101" },
+    { { sensor = 1 }, ".sensor must be true or false, got 1" },
+    { { onEnd = "x" }, '.onEnd must be a function, got "x"' },
+    { { hits = 5 }, ".hits must be a list of group names, got 5" },
+    { { mask = 5 }, ".mask must be a table { [group] = false }, got 5" },
     { { mask = { "enemies" } }, '.mask[1] must be true or false, got "enemies"' },
     { { mask = { b = 2, a = 1, c = 3 } }, ".mask.a must be true or false, got 1" },
     { { mask = { [true] = false } }, ".mask must have group names as keys, got true" },
@@ -175,6 +179,9 @@ end)
 describe("newWorld(settings)", function()
   small.rows("refuses: {2}", {
     { 800, "settings must be a table, got 800" },
+    { { push = "x" }, 'push must be "both" or "first", got "x"' },
+    { { soft = 5 }, "soft must be a table { [group] = { [group] = px/s } }, got 5" },
+    { { masks = 5 }, "masks must be a table { [group] = { [group] = false } }, got 5" },
     { { soft = { a = { b = -1 } } }, "soft.a.b must be a number in 0..1000000, got -1" },
     { { soft = { a = { b = true } } }, "soft.a.b must be a number in 0..1000000, got true" },
     { { soft = { a = 5 } }, "soft.a must be a table { [group] = px/s }, got 5" },

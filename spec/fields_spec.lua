@@ -157,30 +157,6 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
     end)
   end)
 
-  it("none in a state of a version that did not know it #files", function()
-    with(LIFT, function(physics)
-      local world = physics.newWorld()
-      local balloon = world:add("balloons", newBalloon(nil))
-      world:update(1 / 10)
-      local state = world:save()
-      balloon.lift = 300
-      world:restore(state)
-      assert.is_nil(balloon.lift)
-    end)
-  end)
-
-  it("refused if something else has the name of its column #files", function()
-    local row = LIFT["physics/fields/fields.lua"]
-    for _, name in ipairs({ "weight", "changed", "soft" }) do -- a column, a list, a flag
-      local taken = { row[1], (row[2]:gsub("lift", name, 1)) }
-      with({ ["physics/fields/fields.lua"] = taken }, function(physics)
-        local world, text = physics.newWorld(), "two columns have one name: " .. name
-        world:add("balloons", newBalloon(nil))
-        refuses(text, world.update, world, 1 / 60)
-      end)
-    end
-  end)
-
   it("in the manual, in the types, and known to `checked` #files", function()
     with(LIFT, function(physics)
       local all = {}
@@ -230,58 +206,6 @@ describe("every callback: a new one needs one row, and a place that notices it: 
       refuses("onLand must be a function, got 3", physics.newWorld, { onLand = 3 })
     end)
   end)
-
-  it("right where the floor is another one, or the world was restored #files", function()
-    with(ON_LAND, function(physics)
-      local told, settings = {}, {}
-      function settings.onLand(box)
-        told[#told + 1] = box
-      end
-      local world, twin = play(physics, settings), physics.newWorld(settings)
-      local function move(y, steps)
-        world:remove(world.objects.floor[1])
-        world:add("floor", { x = 0, y = y, width = 50, height = 10, static = true })
-        small.run(world, steps)
-      end
-      move(10, 9)
-      twin:restore(world:save())
-      twin:update(1 / 60)
-      assert.equal(2, #told)
-      move(20, 60)
-      assert.equal(3, #told)
-    end)
-  end)
-
-  it("saved while it waits, and refused in a state #files", function()
-    with(ON_LAND, function(physics)
-      local world, found = play(physics, nil), {} -- (gopher-lua may forget variables that are set)
-      local box = world.objects.boxes[1]
-      function box.onLand()
-        found[#found + 1] = world:save()
-      end
-      box.y = -5
-      small.run(world, 60)
-      local twin, state, told = physics.newWorld(), found[1], {}
-      twin:restore(state)
-      function twin.onLand(its)
-        told[#told + 1] = its
-      end
-      twin:update(0)
-      assert.equal(twin.objects.boxes[1], told[1])
-      state.events[5] = 1
-      refuses("must be true or false, got 1", twin.restore, twin, state)
-    end)
-  end)
-
-  it("in the manual and in the types #files", function()
-    with(ON_LAND, function()
-      local pages = require("scripts.manual").pages()
-      local all = pages["docs/api/fields.md"] .. pages["docs/api/settings.md"]
-      assert.is_truthy(all:find("`onLand(self)` Called when it has come to stand", 1, true))
-      assert.is_truthy(all:find("`onLand(object)` As [`onLand`]", 1, true))
-      assert.is_truthy(require("scripts.types").text():find("onLand? fun(object: ", 1, true))
-    end)
-  end)
 end)
 
 describe("every field: that of a new shape needs a row that says what it is: it", function()
@@ -316,32 +240,6 @@ describe("every field: that of a new shape needs a row that says what it is: it"
     end)
   end)
 
-  -- Two that overlap by less than a quarter of their width, and by more of their height.
-  it("does the same where all is turned #files", function()
-    with(CAPSULE, function(physics)
-      local places = {}
-      for turned, names in ipairs({
-        { "x", "y", "width", "height" },
-        { "y", "x", "height", "width" },
-      }) do
-        local world =
-          physics.newWorld({ gravity = 1200 - 600 * turned, gravityX = 600 * turned - 600 })
-        local function add(group, object, ...)
-          for n, name in ipairs(names) do
-            object[name] = select(n, ...)
-          end
-          return world:add(group, object)
-        end
-        add("floor", { static = true }, -500, 100, 2000, 20)
-        add("capsules", { capsule = true }, 100, 80, 60, 20)
-        local upper = add("capsules", { capsule = true }, 152, 72, 60, 20)
-        small.run(world, 9)
-        places[turned] = { upper[names[1]], upper[names[2]] }
-      end
-      assert.same(places[1], places[2])
-    end)
-  end)
-
   -- Its upper half circle is around (110, 350), 10 px wide.
   it("is seen by queries where it is round #files", function()
     with(CAPSULE, function(physics)
@@ -361,28 +259,6 @@ describe("every field: that of a new shape needs a row that says what it is: it"
       end
       assert.is_nil((world:raycast(90, 350, 103, 337)))
       assert.same({ 100, 370, -1, 0, 0.25 }, { select(2, world:raycast(0, 370, 400, 370)) })
-    end)
-  end)
-
-  it("is saved, drawn and refused beside other shapes #files", function()
-    with(CAPSULE, function(physics)
-      local world, calls, before = newWorld(physics), {}, rawget(_G, "love")
-      world:add("capsules", newCapsule())
-      local twin = physics.newWorld()
-      twin:restore(world:save())
-      assert.is_true(twin.objects.capsules[1].capsule)
-      local text = "capsule must be nil where there is a radius"
-      local ball = { x = 0, y = 0, radius = 8, capsule = true }
-      refuses(text, world.add, world, "capsules", ball)
-      local graphics = { getColor = function() end, setColor = function() end }
-      function graphics.rectangle(mode, x, y, width, height, radius)
-        calls[#calls + 1] = ("%s %g %g %g %g %g"):format(mode, x, y, width, height, radius or 0)
-      end
-      rawset(_G, "love", { graphics = graphics })
-      local isDrawn, problem = pcall(world.draw, world, { touching = false })
-      rawset(_G, "love", before)
-      assert.is_true(isDrawn, problem)
-      assert.same({ "fill 100 340 20 60 10", "fill 101 341 18 58 9" }, { calls[1], calls[2] })
     end)
   end)
 end)

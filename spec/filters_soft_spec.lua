@@ -1,15 +1,10 @@
 -- Soft crowds: objects of groups that are soft to each other overlap, and drift apart.
 
-local crowds = require("spec.support.crowd")
-local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
-local overlap = require("spec.support.overlap")
 local physics = require("physics")
 local small = require("spec.support.small")
 
 local run = small.run
-
-local long = effort.isFirst and it or pending
 
 local DT = 1 / 60
 
@@ -198,17 +193,6 @@ describe("soft: objects", function()
   end)
 end)
 
--- Enemies of many sizes that press to a player between pillars, after so many seconds.
-local function press(count, rate, seconds)
-  local settings = { soft = { enemies = { enemies = 400 } } }
-  local options = { count = count, seed = 3, goal = "firm", drive = "vx", settings = settings }
-  local crowd = crowds.new(options)
-  for _ = 1, seconds * rate do
-    crowd:step(1 / rate)
-  end
-  return crowd
-end
-
 -- Lets each go at a speed to the middle of a player.
 local function steer(enemies, player, speed)
   for _, enemy in ipairs(enemies) do
@@ -220,36 +204,6 @@ local function steer(enemies, player, speed)
 end
 
 describe("soft: a crowd", function()
-  it("stays out of walls, and moves nothing further than its speeds and the drift", function()
-    local crowd, most = press(200, 60, 3), (crowds.FASTEST + 400) * DT + 1e-9
-    for _ = 1, 120 do
-      local before = {}
-      for n, enemy in ipairs(crowd.enemies) do
-        before[n] = { enemy.x, enemy.y }
-      end
-      crowd:step(DT)
-      for n, enemy in ipairs(crowd.enemies) do
-        local x, y = enemy.x - before[n][1], enemy.y - before[n][2]
-        assert.is_true(math.max(math.abs(x), math.abs(y)) <= most)
-        for _, pillar in ipairs(crowd.world.objects.pillars) do
-          assert.is_true(overlap.depth(enemy, pillar) <= 1e-6)
-        end
-      end
-    end
-    assert.equal(-8, crowd.player.x)
-  end)
-
-  long("is the same at every frame rate within 2 %", function()
-    local means, rates = {}, effort.isWhole and { 30, 60, 144, 240 } or { 30, 144 }
-    for n, rate in ipairs(rates) do
-      means[n] = 0
-      for _, enemy in ipairs(press(150, rate, 8).enemies) do
-        means[n] = means[n] + math.sqrt(enemy.x * enemy.x + enemy.y * enemy.y)
-      end
-      assert.near(1, means[n] / means[1], 0.02)
-    end
-  end)
-
   -- Frames a second, size, soft; 20 times the size is what the manual recommends.
   for _, row in ipairs({ { 30, 17, 120 }, { 60, 17, 300 }, { 60, 10, 180 }, { 144, 17, 600 } }) do
     local rate, size, soft = row[1], row[2], row[3]

@@ -59,15 +59,6 @@ describe("examples/kit/lift.lua: a lift", function()
     assert.is_nil(seen.places["40 200"])
   end)
 
-  it("goes round in a loop, also along a polyline of a map", function()
-    local points = { { x = 0, y = 0 }, { x = 100, y = 0 }, { x = 50, y = -50 } }
-    local world, _, each, seen = newLift(points, { loop = true, wait = 0 })
-    playTwice(world, 200, each)
-    for _, place in ipairs({ "40 300", "140 300", "90 250" }) do
-      assert.is_true(seen.places[place], place)
-    end
-  end)
-
   it("waits at the ends", function()
     local world, platform, each = newLift({ { 0, 0 }, { 80, 0 } }, { wait = 0.5 })
     kit.play(world, 60, each)
@@ -103,14 +94,6 @@ describe("examples/kit/lift.lua: a lift", function()
     assert.near(170 + 24, platform.y, 1.4)
   end)
 
-  it("crushes if it is said so", function()
-    local ceiling = { "walls", 0, 200, 200, 20 }
-    local world, _, each = newLift({ { 0, 0 }, { 0, -200 } }, { crushes = true }, { ceiling })
-    local object = rider(world, 60, 260)
-    kit.play(world, 120, each)
-    assert.is_true(object.crushes >= 1)
-  end)
-
   it("sinks onto the ground beside a player, not stopped by one below a one-way lift", function()
     local oneWay = { oneWay = "top" }
     local world, platform, each = newLift({ { 0, 0 }, { 0, 84 } }, {}, {}, oneWay)
@@ -121,16 +104,6 @@ describe("examples/kit/lift.lua: a lift", function()
     rider(world, 60, 360)
     kit.play(world, 70, each)
     assert.near(344, platform.y, 1.4) -- above its head
-  end)
-
-  it("refuses what is no path, and settings that do not exist", function()
-    local one = "lift: a path has two points or more"
-    assert.has_error(function()
-      lift.new({ x = 0, y = 0 }, { { 0, 0 } })
-    end, one)
-    assert.has_error(function()
-      lift.new({ x = 0, y = 0 }, { { 0, 0 }, { 1, 1 } }, { pause = 1 })
-    end, "lift: there is no setting pause")
   end)
 end)
 
@@ -161,12 +134,6 @@ describe("examples/kit/enemy.lua: an enemy", function()
     assert.equal(270, body.y)
     assert.is_true(seen.least > 98 and seen.least < 101 and seen.most > 279 and seen.most < 282)
     assert.is_true(seen.turns >= 4)
-  end)
-
-  it("falls off edges if it is said so", function()
-    local world, body, _, each = newEnemy({ edges = false })
-    kit.play(world, 300, each)
-    assert.equal(370, body.y)
   end)
 
   it("turns at walls, and at others of its kind", function()
@@ -265,16 +232,6 @@ describe("examples/kit/crumble.lua: a floor", function()
     player.x = 300
     kit.play(world, 2, each)
     assert.is_true(tile.active)
-  end)
-
-  it("stays away without `back`, and is not moved by what hits it from below", function()
-    local world, tile, player, each = newFloor({ after = 0.1, back = false })
-    player.y, player.vy = 340, -400
-    kit.play(world, 10, each)
-    assert.is_false(tile.crumble.left)
-    player.y = 240
-    kit.play(world, 200, each)
-    assert.is_false(tile.active)
   end)
 end)
 

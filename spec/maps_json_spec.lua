@@ -178,42 +178,9 @@ describe("world:loadTiled, a world of the editor", function()
     assert.same({ 1100, 128 }, { level.x, level.width })
   end)
 
-  local PATTERN = [[{ patterns = { { regexp = "room-(\\d+)_([0-9]+)\\.tmx$", multiplierX = 320,
-    multiplierY = 160, offsetX = -8 } } }]]
-
-  it("finds the maps of its patterns", function()
-    local room = MAP:format("")
-    local files = small.set(small.set({}, FILES), { ["maps/all.world"] = PATTERN })
-    for _, name in ipairs({ "room-0_1.lua", "room-12_0.lua", "room-1_1.tmx", "room0_1.lua" }) do
-      files["maps/" .. name] = room
-    end
-    pretend(files)
-    local level = load("maps/all.world", { later = true })
-    local places = {}
-    for i, map in ipairs(level.maps) do
-      places[i] = ("%s %d %d"):format(map.name, map.x, map.y)
-    end
-    assert.equal("room-0_1 -8 160; room-12_0 3832 0", table.concat(places, "; "))
-    level:addMap("room-0_1")
-    assert.same(
-      { "land 8 160 16 16 static type=rock" },
-      { tiled.show(level, { objects = { land = level.objects } }):match("^[^;]*") }
-    )
-  end)
-
-  it("says what of a pattern cannot be had", function()
-    small.refuses(
-      "only LÖVE can look for its maps",
-      load,
-      { patterns = { { regexp = "a" } } },
-      { folder = "maps" }
-    )
-    pretend({ ["a.world"] = [[{ patterns = { { regexp = "(a|b)(\\d)" } } }]] })
-    small.refuses(
-      "a pattern of the world cannot be read: (a|b)(\\d): list its maps",
-      load,
-      "a.world"
-    )
+  it("refuses patterns and a world without maps", function()
+    local given = { patterns = { { regexp = "room-(\\d+)_(\\d+)\\.tmx$" } }, maps = {} }
+    small.refuses("a world with patterns: list its maps", load, given, { folder = "maps" })
     small.refuses("map.maps must be a table, got nil", load, { type = "world" }, { folder = "a" })
   end)
 end)

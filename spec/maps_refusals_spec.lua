@@ -64,13 +64,13 @@ describe("world:loadTiled refuses", function()
     { nil, "map must be a Tiled map or the path of one, got nil" },
     { 5, "map must be a Tiled map or the path of one, got 5" },
     { { tilecount = 5 }, "this is a tileset, not a map: load the map that uses it" },
+    { { tileInstances = {} }, "STI has changed this map: give the path of its file" },
     { "a.tmx", 'cannot read "a.tmx": it is XML: export the map as Lua (File > Export As), …' },
     { "a.world", 'cannot read "a.world": it is JSON: give the option decode, …' },
     {
       ("assets/"):rep(6) .. "level-7.json",
       'cannot read "...ets/assets/assets/assets/level-7.json": it is JSON: give the option …',
     },
-    { { map = newMap() }, 'the map is in its entry "map": give that' },
     { ldtk.cave(), "map.layers must be a table, got nil" },
     { "none.lua", 'cannot read "none.lua": …' },
     { { type = "world" }, "a world needs the option folder: where its maps are" },
@@ -108,13 +108,6 @@ describe("world:loadTiled refuses", function()
     { "layers.1.objects.2", "crate", 'layer "things", object nil: the map is damaged: …' },
     { "layers.1.objects.1.x", NAN, 'layer "things", object 5: x must be a number, got nan' },
     { "layers.1.objects.2.width", -1, C .. "width must be a number > 0, got -1" },
-    {
-      "tilesets.1.tilecount",
-      0,
-      C
-        .. 'gid must be a gid of one of the tilesets ("terrain" has none: was its image missing at'
-        .. " the export?), got 3",
-    },
     { "layers.1.objects.2.gid", 99, C .. "gid must be a gid of one of the tilesets, got 99" },
     {
       "layers.1.objects.2.properties",
@@ -129,16 +122,12 @@ describe("world:loadTiled refuses", function()
     refuses(words, "loadTiled", map, { strict = true })
   end)
 
-  it("sizes that would take for ever, and reads no polygon with a thousand corners", function()
-    local map = tiled.sti(newMap())
-    map.layers[2].width = 1e9
-    local expected = 'layer "all.ground": width * height must be an integer in 0..10000000, …'
-    refuses(expected, "loadTiled", map)
+  it("no polygon with a thousand corners, and goes on", function()
     local corners = {}
     for i = 1, 1000 do
       corners[i] = { x = i % 2 * 16, y = i }
     end
-    map = newMap()
+    local map = newMap()
     map.layers[1].objects[1].shape, map.layers[1].objects[1].polygon = "polygon", corners
     local level = newWorld():loadTiled(map)
     assert.equal("polygon: it has more than 500 corners", level.unsupported[1].reason)
@@ -162,13 +151,10 @@ describe("world:loadTiled refuses", function()
     { { merge = 1 }, "merge must be true or false, got 1" },
     { { x = NAN }, "x must be a number, got nan" },
     { { solidProperty = true }, "solidProperty must be a name, got true" },
-    { { solidTiles = 5 }, "solidTiles must be a list of gids, got 5" },
-    { { solidTiles = { 0 } }, "solidTiles[1] must be a gid, got 0" },
     { { kinds = { Crate = "box" } }, 'kinds.Crate must be "static", "dynamic", "kinematic" …' },
-    { { ellipses = "oval" }, 'ellipses must be "box" or "circle", got "oval"' },
     { { project = { propertyTypes = { 5 } } }, "the map is damaged: …" },
     { { wallWords = "wall" }, 'wallWords must be a list of names, got "wall"' },
-    { { decompress = "zlib" }, 'decompress must be a function, got "zlib"' },
+    { { decode = "json" }, 'decode must be a function, got "json"' },
     { { ignore = { 5 } }, "ignore[1] must be a name, got 5" },
     { { onlyLayers = "things" }, 'onlyLayers must be a list of layer names, got "things"' },
     { { onlyLayers = { "a" } }, 'onlyLayers[1] must be a layer of the map, got "a"; ' .. names },
@@ -205,14 +191,11 @@ describe("world:loadTiled refuses", function()
 end)
 
 describe("world:loadLDtk refuses", function()
-  local OLD = "LDtk 0.6.2 has saved it: save it with LDtk 1.0 or later"
   local levels = "level must be the identifier, iid or number of a level, got %s; they are"
   small.rows("{3}", {
     { nil, nil, "project must be a table, got nil" },
     { "a.ldtk", nil, 'project must be a table, got "a.ldtk"' },
     { {}, nil, "project.levels must be a table, got nil" },
-    { { data = ldtk.cave() }, nil, 'the project is in its entry "data": give that' },
-    { { levels = {}, jsonVersion = "0.6.2" }, nil, OLD },
     { ldtk.cave(), "Attic", levels:format('"Attic"') .. ' "Cave", "Top"' },
     { ldtk.cave(), 3, levels:format("3") .. ' "Cave", "Top"' },
     { ldtk.cave(), {}, "level.layerInstances must be a table, got nil" },

@@ -247,7 +247,6 @@ describe("loadTiled: the name of a layer", function()
     -- only those that say so if any says so
     { { "1.6", "155" }, { { id = 0, properties = { solid = true } } }, nil, 2, "" },
     { { "1.6", "155" }, shaped, nil, 2, "" },
-    { { "1.6", "155" }, nil, { solidTiles = { 5, 6 } }, 3, "" },
     -- a floor seen from above
     { { "556", "555" }, nil, nil, 0, "" },
     { { "556", "555" }, nil, { solidLayers = { 1 } }, 6, "collision: option solidLayers" },

@@ -38,7 +38,6 @@ describe("world:loadTiled, tiles", function()
   describe("are solid", function()
     local LAYER, NO, YES = { solidLayers = { "ground" } }, { solid = false }, { solid = true }
     local LEGEND = { a = 5 + X, b = 6 + Y + T, c = 5 + 268435456.0 } -- flipped
-    local BOTH = { solidLayers = { "ground" }, solidTiles = { 6 } }
 
     -- why, the tiles, properties of their layer and of one around it, options, how many are solid
     small.rows("{1}", {
@@ -48,13 +47,9 @@ describe("world:loadTiled, tiles", function()
       { "by a layer around theirs", "555", nil, YES, nil, 3 },
       { "but not against their own layer", "555", NO, {}, { solidLayers = { "all" } }, 0 },
       { "by the nearest layer that says anything", "5", YES, NO, nil, 1 },
-      { "by the nearest, before solidTiles", "5", nil, NO, { solidTiles = { 5 } }, 0 },
-      { "by a longer list of gids", "1a5bc...", nil, nil, { solidTiles = { 5, 6 } }, 5 },
-      { "but not in a layer that says no", "1234", NO, nil, { solidTiles = { 1 } }, 0 },
+      { "however they are flipped", "1a5bc...", YES, nil, nil, 4 },
       { "in one that says no, by its name", "1234", NO, nil, LAYER, 4 },
-      { "by an option, whatever they say", "666", nil, nil, { solidTiles = { 6 } }, 3 },
       { "by no name of a layer if they say no", "666", NO, nil, LAYER, 0 },
-      { "by both options", "666", NO, nil, BOTH, 3 },
     }, function(_, cells, its, around, options, count)
       local map = newMap({ cells }, { properties = its }, LEGEND)
       if around then
@@ -152,7 +147,7 @@ as halves that merge along the side where they meet | ground | #11.22 11.22 | ti
   ground 64 0 8 32 static
 as circles | ground | #11 2. | tiles = "round"
   ground 2 4 8 8 radius=4 static; ground 18 4 8 8 radius=4 static
-  ! ground: ellipse: only circles are round; the option ellipses = "box" makes it a box
+  ! ground: ellipse: only circles are round
 with a turned shape | ground | #.11 | tiles = "turned"
   ground 16 0 32 4 static
 with images of their own | ground | #36 | tiles = "images", set = "few", solidLayers = { 1 }
@@ -217,6 +212,12 @@ without fields that do not fit each other, which are named once | ground | #1.1 
     assert.same({ 4, 1, nil }, { level.tiles, level.rectangles, level.objects[1].tiled.gid })
   end)
 
+  it("are there, too, if the image of their tileset was missing at the export", function()
+    local set = tiled.tileset({}, { tilecount = 0 })
+    local level = load(tiled.map({ set }, { tiled.tiles(1, "walls", { "15.9" }) }))
+    assert.same({ 3, 2, 0 }, { level.tiles, #level.objects, #level.unsupported })
+  end)
+
   it("are refused behind the last tileset, in whichever order the map lists them", function()
     local first = tiled.tileset({}, { tilecount = 4 })
     local second = tiled.tileset({}, { firstgid = 5, tilecount = 4 })
@@ -262,55 +263,43 @@ end)
 
 describe("world:loadTiled, packed layers", function()
   local PLAIN = dofile("spec/maps/meadow.lua")
-  local CSV = "choose CSV as Tile Layer Format in the map's properties"
-  local NEITHER = "nothing here can unpack it; "
+  local REASON =
+    "nothing here can unpack it; choose CSV as Tile Layer Format in the map's properties"
 
-  local function packed(compression, data)
-    local map = small.copy(PLAIN)
-    map.layers[1].compression, map.layers[1].data = compression, data or map.layers[1].data
+  -- Returns a map of three tiles, of which data is packed in that way.
+  local function packed(compression, data, encoding)
+    local map = newMap({ "..." }, nil, nil, nil, { firstgid = 1 })
+    local layer = map.layers[1]
+    layer.encoding, layer.compression = encoding or "base64", compression
+    layer.data = data or "AQAAAAAAAAAFAACA"
     return map
   end
 
-  -- They are packed in name only.
-  local function same(data)
-    return data
+  -- LÖVE, which knows these words: packed, and not packed.
+  local function know(words)
+    local function unpack(container, how, data)
+      return assert(container == "string" and words[how .. " " .. data])
+    end
+    pretend({ data = { decode = unpack, decompress = unpack } })
   end
 
-  it("in base64 are read by themselves", function()
-    local level, world = load(PLAIN)
-    assert.same({ 93, 9 }, { level.tiles, level.rectangles })
-    assert.equal("top", world.objects.collision[#world.objects.collision].oneWay)
-    assert.equal(2147483649, level.tileLayers.collision:getTile(5, 10))
-    assert.is_string(PLAIN.layers[1].data) -- the map is as it was
-    -- 65537 is 01 00 01 00
-    local map = newMap({ "." }, { encoding = "base64" }, nil, nil, { firstgid = 65537 })
-    map.layers[1].data = "AQABAA=="
-    assert.same({ 1, 65537 }, { (load(map)).tiles, (load(map)).tileLayers.ground:getTile(0, 0) })
-  end)
+  local BYTES = "\1\0\0\0\0\0\0\0\5\0\0\128"
 
-  it("that are compressed are unpacked by the option, or by LÖVE, or named", function()
-    local plain, noted = show(load(PLAIN)), {}
-    local function note(data, compression)
-      noted.how = compression
-      return data
+  it("are unpacked by LÖVE", function()
+    know({ ["base64 AQAAAAAAAAAFAACA"] = BYTES, ["base64 eJx"] = "x", ["zlib x"] = BYTES })
+    for _, map in ipairs({ packed(), packed(""), packed("zlib", "eJx") }) do
+      local ground = load(map, { solidLayers = { "ground" } }).tileLayers.ground
+      assert.same({ 1, 0, 2147483653 }, {
+        ground:getTile(0, 0),
+        ground:getTile(1, 0),
+        ground:getTile(2, 0),
+      })
+      assert.is_string(map.layers[1].data) -- the map is as it was
     end
-    for _, compression in ipairs({ "zlib", "gzip" }) do
-      local map, head = packed(compression), ("encoded data (%s, base64): "):format(compression)
-      assert.equal("! collision: " .. head .. NEITHER .. CSV, show(load(map)))
-      assert.same({ plain, compression }, { show(load(map, { decompress = note })), noted.how })
-    end
-    pretend({
-      data = {
-        decompress = function(container, compression, data)
-          return note(data, container .. " " .. compression)
-        end,
-      },
-    })
-    assert.same({ plain, "string zlib" }, { show(load(packed("zlib"))), noted.how })
   end)
 
   it("of an infinite map are parts", function()
-    local map = packed()
+    local map = small.copy(PLAIN)
     local layer = map.layers[1]
     local part = { x = -24, y = 0, width = 24, height = 12, data = layer.data }
     layer.chunks = { part, { x = 0, y = 0, width = 24, height = 12, data = layer.data } }
@@ -318,30 +307,25 @@ describe("world:loadTiled, packed layers", function()
     assert.equal(186, (load(map)).tiles)
   end)
 
-  it("in another encoding are named", function()
-    local map = packed(nil, "1,2,3")
-    map.layers[1].encoding = "csv"
-    assert.equal("! collision: encoded data (csv): " .. NEITHER .. CSV, show(load(map)))
+  small.each("are named if LÖVE cannot: {1}", {
+    ["encoded data (base64): "] = packed(),
+    ["encoded data (zstd, base64): "] = packed("zstd"),
+    ["encoded data (csv): "] = packed(nil, "1,0,5", "csv"),
+  }, function(expected, map)
+    assert.equal("! ground: " .. expected .. REASON, show(load(map)))
+    know({})
+    assert.equal("! ground: " .. expected .. REASON, show(load(map)))
   end)
 
   small.each("are refused: {1}", {
-    ['data must be base64, got "AAA"'] = { packed(nil, "AAA") },
-    ['data must be base64, got "AA$="'] = { packed(nil, "AA$=") },
-    ["#data must be an integer in 288..288, got 0"] = { packed(nil, "") },
-    ["#data must be an integer in 288..288, got 1"] = { packed("zlib", "AAAAAA=="), same },
-    ["the cell at column 0, row 0 must be a gid of one of the tilesets, got 9999"] = {
-      packed(nil, (PLAIN.layers[1].data:gsub("^AQAAAAAA", "DycAAAAA"))),
-    },
-  }, function(expected, row)
-    local words = 'world:loadTiled(map): layer "collision": ' .. expected
-    small.refuses(words, load, row[1], { decompress = row[2] })
-  end)
-
-  it("that cannot be unpacked are named", function()
-    pretend({ data = { decompress = error } })
-    local text = "! collision: encoded data (zstd, base64): " .. NEITHER .. CSV
-    assert.equal(text, show(load(packed("zstd"))))
-    assert.equal(text, show(load(packed("zstd"), { decompress = function() end })))
+    ["#data must be an integer in 3..3, got 0"] = "",
+    ["#data must be an integer in 3..3, got 1"] = "\1\0\0\0",
+    ["the cell at column 0, row 0 must be a gid of one of the tilesets, got 9999"] = (
+      BYTES:gsub("^..", "\15\39")
+    ),
+  }, function(expected, bytes)
+    know({ ["base64 AQAAAAAAAAAFAACA"] = bytes })
+    small.refuses('world:loadTiled(map): layer "ground": ' .. expected, load, packed())
   end)
 end)
 

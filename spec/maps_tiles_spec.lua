@@ -413,38 +413,4 @@ describe("world:addTiles", function()
     end, 900, 1000)
     assert.is_true(kept < 1000, kept .. " bytes")
   end)
-
-  -- Speed -----------------------------------------------------------------------------------------
-
-  local jit = rawget(_G, "jit")
-  local isCompiled = jit ~= nil and jit.status()
-
-  it("takes 20 000 cells in 20 ms with LuaJIT, 150 ms interpreted; setTile 0.05 and 0.3", function()
-    -- Hills below and a roof above, 400 x 50 cells.
-    local generator, height, list = random.new(5), 30, {}
-    for column = 1, 400 do
-      if column % 4 == 0 then
-        height = math.max(10, math.min(45, height + generator:integer(-3, 3)))
-      end
-      for row = 1, 50 do
-        list[(row - 1) * 400 + column] = (row > height or row < height - 20) and 1 or 0
-      end
-    end
-    local best, bestOne = math.huge, math.huge
-    for _ = 1, 5 do
-      local before = os.clock()
-      local tiles, world = add(list, nil, 400, 16)
-      best = math.min(best, os.clock() - before)
-      assert.is_true(tiles.rectangles * 15 < tiles.tiles)
-      world:update(DT)
-      before = os.clock()
-      for _ = 1, 100 do
-        local column, row = generator:integer(1, 400), generator:integer(1, 50)
-        tiles:setTile(column, row, 1 - tiles:getTile(column, row))
-      end
-      bestOne = math.min(bestOne, (os.clock() - before) / 100)
-    end
-    assert.is_true(best < (isCompiled and 0.02 or 0.15), ("it took %.1f ms"):format(best * 1000))
-    assert.is_true(bestOne < (isCompiled and 5e-5 or 3e-4), ("%.4f ms"):format(bestOne * 1000))
-  end)
 end)

@@ -41,43 +41,6 @@ describe("surfaceSpeed: a belt", function()
     end, given, rows)
   end
 
-  local function pile(v)
-    return {
-      belt(v.fields),
-      rider({ friction = v.friction }),
-      rider({ name = "top", y = 352, friction = 0.5 }),
-    }
-  end
-  belted("that is {kind} moves a pile with friction {friction} at its speed", pile, {
-    "listen rider",
-    SETTLE,
-    "x, x2 = rider.x, top.x",
-    {
-      2,
-      "rider at x + 60 * t, 376",
-      "top at x2 + 60 * t, 352",
-      "rider still",
-      "top still",
-      "rider touches bottom top",
-    },
-    { "platform.x ~ 0", "rider heard 2, 0" },
-  }, {
-    "kind, fields, friction",
-    { "static", {}, 0 },
-    { "static", {}, 1 },
-    { "kinematic", KINEMATIC, 0.1 },
-  })
-
-  local function dropped(v)
-    return { belt(), rider({ y = 340, friction = v.friction }) }
-  end
-  belted("grips a box with friction {friction} that is dropped on it", dropped, {
-    0.5, -- lands after 0.3 s
-    "rider still",
-    "x = rider.x",
-    { 1, "rider at x + 60 * t, 376", "rider still" },
-  }, { "friction", { 0 }, { 0.1 }, { 1 } })
-
   local MOVING = belt({ static = false, kinematic = true, vx = 25, vy = -40 })
   belted("of a moving platform adds to its velocity", { MOVING, rider() }, {
     SETTLE,
@@ -91,13 +54,6 @@ describe("surfaceSpeed: a belt", function()
     "x = rider.x",
     { 1, keep = "rider.vx = own", "rider at x + (60 + own) * t, 376", "rider.vx ~ own" },
   }, { "own", { 50 }, { -60 }, { 300 } })
-
-  belted("gives what leaves it its speed", { belt({ width = 200 }), rider() }, {
-    SETTLE,
-    "x = rider.x",
-    { 2, "rider.x ~ x + 60 * t" },
-    { "rider.y > 376", "rider.vx ~ 60" },
-  })
 
   local AT_WALL = { belt(), rider(), solid("wall", 160, 300, 16, 100) }
   belted("presses against a wall without a rattle", AT_WALL, {

@@ -9,7 +9,7 @@ local states = require("spec.support.states")
 effort.interpretQuickly(setup, teardown)
 
 local DT = 1 / 60
-local put, refused = states.put, states.refused
+local put = states.put
 
 -- Objects in the order of the state: the floor, four walls, two boxes, a ghost, the player, and one
 -- that no update has seen yet.
@@ -119,7 +119,7 @@ small.rows("world:restore, a damaged state is refused: {1} = {2}", ROWS, functio
   local world = newFull()
   local state, hash = world:save(), world:hash()
   put(state, path, value)
-  refused("physics: world:restore(state): " .. text, world, "restore", state)
+  small.refuses("world:restore(state): " .. text, world.restore, world, state)
   assert.are.equal(hash, world:hash())
 end)
 
@@ -137,7 +137,7 @@ describe("world:restore, a damaged state of a world with maps", function()
     world:addTiles("earth", { "##" }, nil, 16):setTile(1, 1, 0)
     local state, hash = states.read(states.write(world:save())), world:hash()
     put(state, path, value)
-    refused("physics: world:restore(state): " .. words, world, "restore", state)
+    small.refuses("world:restore(state): " .. words, world.restore, world, state)
     assert.are.equal(hash, world:hash())
   end)
 
@@ -162,7 +162,7 @@ it("world:restore, what is no state is refused", function()
     ['state must be a table, got "state"'] = "state",
     ["state.version must be 10, got nil: this is no state"] = {},
   }) do
-    refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
+    small.refuses("world:restore(state): " .. text, world.restore, world, value or nil)
     assert.are.equal(hash, world:hash())
   end
 end)

@@ -12,8 +12,7 @@ effort.interpretQuickly(setup, teardown)
 
 local DT = 1 / 60
 local mover, run = small.put, small.run
-local put, read, refused, smallWorld, write =
-  states.put, states.read, states.refused, states.smallWorld, states.write
+local put, read, smallWorld, write = states.put, states.read, states.smallWorld, states.write
 
 local thing = scene.thing("boxes", { name = "box", x = 10, y = 84, width = 16, height = 16 })
 local FLOOR = scene.maker("floor", { static = true })("floor", 0, 100, 400, 20)
@@ -303,7 +302,7 @@ describe("ownFields", function()
       { cycle, "without a cycle, got table" },
     }) do
       world.objects.men[2].hp = row[1]
-      refused(row[2], world, "save")
+      small.refuses(row[2], world.save, world)
     end
     world.objects.men[2].hp = 2
     for _, row in ipairs({
@@ -312,8 +311,8 @@ describe("ownFields", function()
       { { "hp", 1 }, "ownFields[2] must be the name of a field of your own, got 1" },
     }) do
       world.ownFields = row[1]
-      refused(row[2], world, "save")
-      refused(row[2], world, "update", DT)
+      small.refuses(row[2], world.save, world)
+      small.refuses(row[2], world.update, world, DT)
     end
   end)
 
@@ -327,7 +326,7 @@ describe("ownFields", function()
       local state = world:save()
       put(state, path, row[1])
       world.objects.men[1].hp = 42
-      refused(row[2], world, "restore", state)
+      small.refuses(row[2], world.restore, world, state)
       assert.equal(42, world.objects.men[1].hp)
     end
   end)

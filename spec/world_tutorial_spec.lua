@@ -20,7 +20,6 @@ local function forgetGlobals()
 end
 
 local NAN, INF = 0 / 0, 1 / 0
-local OPPOSITE = { top = "bottom", left = "right", bottom = "top", right = "left" }
 local box, refuses = small.put, small.refuses
 
 local function boxOf(row)
@@ -152,22 +151,6 @@ describe("checkCollision", function()
     end
     physics.load()
     assert.same({ box(0, 0, 10, 10), box(10, 3, 10, 10) }, { a, b })
-  end)
-
-  it("finds the overlap of 2000 random pairs, and of each the opposite side", function()
-    local random = newRandom(7)
-    local function randomBox()
-      local x, y = random:between(-50, 50), random:between(-50, 50)
-      return box(x, y, random:between(1, 60), random:between(1, 60))
-    end
-    for _ = 1, 2000 do
-      local a, b = randomBox(), randomBox()
-      local isX = a.x < b.x + b.width and b.x < a.x + a.width
-      local isHit = isX and a.y < b.y + b.height and b.y < a.y + a.height
-      local side = physics.side(a, b)
-      assert.equal(isHit and side, physics.checkCollision(a, b))
-      assert.equal(OPPOSITE[side], physics.side(b, a))
-    end
   end)
 end)
 

@@ -3,9 +3,11 @@
 -- one-way objects, `dropThrough`, and the answer of the game (`canCollide`).
 --
 -- The side in the field `oneWay` is solid, the others are open. That is decided in `lets`, and,
--- where no pair is at hand, in `carrierAt` of motion/carriers.lua and `isClosed` of
--- queries/query.lua. The side of a slanted meeting, and so the solid quarter of a round one-way
--- object, is that of `shapes.sideOf`.
+-- where no pair is at hand, in `carrierAt` of motion/carriers.lua, `isClosed` of queries/query.lua
+-- and `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid quarter of a
+-- round one-way object, is that of `shapes.sideOf`, which names sides everywhere: `lets` gets no
+-- normal. For `filter.areSolid` and `filter.blocks` a one-way object is no obstacle: planes ahead,
+-- clip, bounds and ways out leave it out.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
@@ -27,8 +29,8 @@ local function isOpen(b, i, side)
 end
 
 -- Returns whether slot i falls through a one-way object with the side `solid`.
--- Until it is clear of that object, no other one-way object holds it, as the next plank of a bridge
--- would.
+-- Until it is clear of that object, no other one-way object with the same side holds it, as the
+-- next plank of a bridge would.
 local function isFalling(b, i, solid)
   for _, j, p in neighbours(b, i) do
     if b.dropping[p] and b.oneWay[j] == solid then

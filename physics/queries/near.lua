@@ -8,11 +8,11 @@
 -- enlarges the fat boxes that the game has moved objects out of: a larger one is looked up anew by
 -- the next step, and changes no result. So the grid knows all objects.
 --
--- A write leaves no trace, so each query compares all that moves. Groups of many objects of which
--- none moves are compared by the first query after an update, `add`, `remove` or `refresh`; so are
--- new keys of a group, other than the next number. With more than `FEW` movers, only that query
--- compares anything. The objects that are found become a *catch*: columns by place in it. Those of
--- them that a query keeps become its list.
+-- The game's writes leave no trace, so each query compares all that moves. Groups of many objects
+-- of which none moves are compared by the first query after an update, `add`, `remove` or
+-- `refresh`; so are new keys of a group, other than the next number. With more than `FEW` movers,
+-- only that query compares anything. The objects that are found become a *catch*: columns by place
+-- in it. Those of them that a query keeps become its list.
 --
 -- A query has these steps (see `query.point`, and for lines `rays.raycast`):
 --
@@ -27,8 +27,9 @@
 --     return near.publish(c, kept, c.entry, out) -- a list; one object: near.first, near.finish
 --
 -- A candidate has `object`, `rank`, `kind`, `shape`, `position` and `size` (at 2 n and 2 n + 1) at
--- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down, at the last
--- update, is the axis a = `c.bodies.downAxis`, its sign `c.bodies.orientation[a]`. The filter may
+-- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down of the world, at
+-- the last update, is the axis a = `c.bodies.downAxis`, its sign `c.bodies.orientation[a]`; down of
+-- an object is `b.down`, if `kind` is DYNAMIC: 0 on both axes if nothing pulls it. The filter may
 -- be a function of the game, which may ask queries itself: it is called by `publish`, `first` and
 -- `accepts` only.
 --

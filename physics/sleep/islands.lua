@@ -13,15 +13,16 @@
 -- that do not move.
 --
 -- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step
--- has changed no bit of its place and velocity, its speed is 0 (of a dynamic body: or was at the
--- start), `wayLeft` is 0, and `hasNews` there finds none of these notes. At the end of the step
+-- has changed no bit of its place and velocity, its speed is 0 (of a dynamic body: at the end or at
+-- the start), `wayLeft` is 0, and `hasNews` there finds none of these notes. At the end of the step
 -- `mustStayAwake` says whether it is not quiet.
 --
---     mustStayAwake  a contact that begins, ends or bounces (`contactState.update`, `ball.impact`,
---                    `together.run`); another support or carrier, a hit of this update (write); a
---                    nudge (`nudge`), a bounded step (`putBefore` in bounds); a way out of an
---                    overlap (`bury` in overlap, `crowd.run`, `count` in patience). A body that
---                    `heap` keeps in its place (`stillAt`) sleeps all the same.
+--     mustStayAwake  a contact that begins, ends or bounces (`contactState.update`), any slanted
+--                    impact (`ball.impact`, `together.run`); another support or carrier, a hit of
+--                    this update (write); a nudge (`nudge`), a bounded step (`putBefore` in
+--                    bounds); a way out of an overlap (`bury` in overlap, `crowd.run`, `count` in
+--                    patience). A body that `heap` keeps in its place (`stillAt`) sleeps all the
+--                    same, unless it is buried and not stuck yet.
 --     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
 --                    carrier (`carriers.noteJump`)
 --     isPolled       one of its contacts asks for `onStay` (events) or `canCollide` (rules)
@@ -35,13 +36,13 @@
 -- (`islands.wake`), before it has an effect:
 --
 -- - velocities and accelerations that the game wrote (objects/readFields), other fields, objects
---   that come or go (objects/read), settings (objects/settings), `shift`, a restored state,
---   `dropThrough` (world/world.lua);
+--   that come, go or change their order or group (objects/read), settings and masks
+--   (objects/settings), `shift`, `refresh`, a restored state, `dropThrough` (world/world.lua);
 -- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/), soft crowds
 --   (motion/drift);
--- - a moving kinematic object, and steps below SHORTEST;
+-- - a kinematic object that starts or comes near, and steps below SHORTEST;
 -- - a path that comes near (`wakeLinked` in pairFinder). In the middle of a step: the step begins
---   anew, see solver.
+--   anew, after some times with all bodies awake (`solver.run`).
 --
 -- So sleeping changes no result, bit for bit. A kinematic object is an island of its own: as long
 -- as it stands, it is only a wall. One search visits each body and each pair of an island once.
@@ -56,8 +57,8 @@ local islands = {}
 local STATIC, DYNAMIC, neighbours = constants.STATIC, constants.DYNAMIC, links.neighbours
 
 --- The shortest step in which bodies fall asleep, s: in a shorter step a change may be too small to
---- alter any bit. In a shorter step no sleeping body is skipped either: the change that a long step
---- takes back may be too small in a short one.
+--- alter any bit. In a shorter step no sleeping body is skipped either: changes that cancel in a
+--- long step may not cancel in a short one.
 islands.SHORTEST = 1 / 2000
 
 local function rouse(b, i)

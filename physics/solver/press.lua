@@ -13,15 +13,15 @@
 --     ( )( )( )         Without gravity pushes are EAGER times as long, but in the last two passes,
 --   ##############      and planes up to LEFT slops deep are not pressed again.
 --                    2. Immovable bodies come last: each body ends at the nearest place in front of
---                       all that stop it (`leaveWalls`), which passes reach slowly. But a body goes
---                       no farther than FURTHEST in all, on each axis (`limit`).
+--                       all that stop it (`leaveWalls`), which passes reach slowly. Then a body is
+--                       taken back to FURTHEST of its size and the way of its speed (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
 --                    4. 1 and 2 again for the places alone, since walls have pushed bodies back
 --                       into others: SHOCKS passes, with pushes that begin at 0 and are not noted.
---                       Under gravity the lower body does not give way, so that a heap does not
---                       sink. (With speeds, momentum would be lost.) FURTHEST does not apply, and
---                       which rows touch is not found anew.
+--                       Under gravity the lower body of two that can be moved does not give way,
+--                       so that a heap does not sink. (With speeds, momentum would be lost.)
+--                       FURTHEST does not apply, and which rows touch is not found anew.
 --                    5. Pushes are noted, and accelerations are found anew (`noteAll`).
 --
 -- One pass is enough for one row. In a heap a push goes on to the next row, so passes go on until
@@ -62,14 +62,15 @@ local EAGER = 1.2
 -- to later steps: after the first passes a few pairs of very many are always a little too deep.
 -- (Without the bound large bodies stay 0.4 px in each other.)
 local LEFT, DEEPEST = 5, 0.12
--- px by which shocks may part two that were pushed, which touch nevertheless. (With 0.05 heaps do
--- not rest; without a bound two that were 18 px apart did.)
+-- Up to this gap, px, two that were pushed under gravity touch: shocks lift them. (With 0.05 heaps
+-- do not rest; without a bound two that were 18 px apart touched.)
 local LIFTED = 0.2
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
--- px by which a body may be in something immovable where the step begins; px/s, of rounding.
+-- How much farther than its own way and those of its walls a body may be put, since it may begin in
+-- something immovable, px; and of velocities, for rounding, px/s.
 local ROOM = 0.1
 
 -- Rows --------------------------------------------------------------------------------------------
@@ -115,7 +116,8 @@ local function spread(b, ofAll)
   heap.spread(b, s.mark, s.stamp)
 end
 
--- Adds a contact along an axis as row c, if it presses a marked body. Returns whether it does.
+-- Adds a contact along an axis as row c, if one of its bodies is marked, none is squeezed, and they
+-- do not bounce. Returns whether it does.
 local function addContact(b, list, n, c)
   local s, kl, kh, axis = b.slants, list.low[n], list.high[n], list.axis
   local i, j = (kh - axis) * 0.5, (kl - axis) * 0.5
@@ -260,7 +262,7 @@ local function lengthOf(b, column, k, isOfSpeeds)
 end
 
 -- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
--- nearest velocity that goes into none. That is no further away than where it began, or a
+-- nearest velocity that goes into none. It is looked for as far away as where the body began, or a
 -- standstill, and the ways of the walls. (The corner of walls that come from opposite sides may be
 -- anywhere.) A body that has no such place is in a vice: from now on it stops those that are not
 -- pushable (see `weigh` in narrowphase/ball.lua).
@@ -390,8 +392,8 @@ local function rest(b, i)
   end
 end
 
---- Presses the bodies apart that the rounds have left in each other, and finds the heaps. Returns
---- whether there are planes.
+--- Presses the bodies apart that the rounds have left in each other, finds which planes touch,
+--- leaves slow bodies where they were, and finds the heaps. Returns whether there are planes.
 function press.finish(b)
   local s = b.slants
   slant.findLate(b)

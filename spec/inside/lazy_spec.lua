@@ -51,25 +51,4 @@ describe("a part of the library that the first step does not need", function()
       end)
     end)
   end
-
-  it("#files is found under the name of the folder that the game gave it", function()
-    local searchers = rawget(package, "searchers") or rawget(package, "loaders")
-    table.insert(searchers, 2, function(name)
-      if (name .. "."):find("^engine%.") then
-        return loadfile(name:gsub("^engine", "physics"):gsub("%.", "/") .. ".lua")
-      end
-    end)
-    local isDone, problem = pcall(function()
-      local world, box = play(require("engine"))
-      assert.equal(box, (world:raycast(28, 50, 28, 99)))
-      assert.is_number(world:hash())
-    end)
-    table.remove(searchers, 2)
-    for name in pairs(package.loaded) do
-      if name:find("^engine") then
-        package.loaded[name] = nil
-      end
-    end
-    assert(isDone, problem)
-  end)
 end)

@@ -60,34 +60,4 @@ describe("scripts/plain_busted.lua", function()
     end
     assert.truthy(printed:find("23 passed, 23 failed, 0 left out\n", 1, true), printed)
   end)
-
-  it("calls what stands around a spec, in order, also when it fails #files", function()
-    local printed = run(
-      [[
-        local order = {}
-        local function note(what)
-          return function() order[#order + 1] = what end
-        end
-        describe("a", function()
-          setup(note("setup"))
-          teardown(function() print(table.concat(order, " ")) end)
-          before_each(note("before"))
-          after_each(note("after"))
-          it("one", function() finally(note("finally")) error("no") end)
-          it("two", note("two"))
-        end)
-      ]],
-      ""
-    )
-    assert.truthy(printed:find("setup before finally after before two after\n", 1, true), printed)
-    assert.truthy(printed:find("1 passed, 1 failed, 0 left out\n", 1, true), printed)
-  end)
-
-  it("leaves out what is tagged, and counts it #files", function()
-    local text = 'describe("a #slow", function() it("one", function() end) end)\n'
-      .. 'it("two #files", function() end)\nit("three", function() end)'
-    assert.equal("1 passed, 0 failed, 2 left out\n", run(text, "--exclude-tags=slow,files"))
-    assert.equal("2 passed, 0 failed, 1 left out\n", run(text, "--exclude-tags=slow"))
-    assert.truthy(run(text, "--tags=slow"):find("unknown option: --tags=slow", 1, true))
-  end)
 end)

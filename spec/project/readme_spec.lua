@@ -47,22 +47,6 @@ describe("the README", function()
     assert.equal(-200, player.vx)
   end)
 
-  it("names LÖVE in its first sentence", function()
-    assert.truthy(README:match("\n\n([^.]+)"):find("LÖVE", 1, true))
-  end)
-
-  it("has the two commands, and says how they end and how long they take", function()
-    local try, makefile = section("Try it"), snippets.read("Makefile")
-    for command, prints, takes in try:gmatch("\n| `make (%w+)` | ([^|]+) | ([^|]+) |") do
-      assert.truthy(makefile:find("\n" .. command .. ": setup ## ", 1, true), command)
-      assert.truthy(prints:find("`%d+ passed, 0 failed`"), prints)
-      assert.truthy(takes:find("^%d+ min"), takes)
-    end
-    local _, commands = try:gsub("\n| `make %w+`", "")
-    assert.equal(2, commands)
-    assert.truthy(snippets.read("scripts/checks.sh"):find("passed, $failed failed", 1, true))
-  end)
-
   it("is short", function()
     local _, words = README:gsub("%S+", "")
     assert.is_true(words <= MOST_WORDS, words .. " words")

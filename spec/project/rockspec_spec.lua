@@ -53,45 +53,6 @@ describe("the rockspec", function()
 end)
 
 describe("publishing", function()
-  local readme = ("%s/releases/latest/download/physics.lua %s/issues %s"):format(
-    ADDRESS,
-    ADDRESS,
-    "https://owner.github.io/name/"
-  )
-
-  local function left(change)
-    local state = {
-      rockspec = ADDRESSED,
-      version = "1.2.3",
-      changelog = "# Changelog\n\n## 1.2.3 - 2030-01-02\n",
-      readme = readme,
-      tags = "other\nv1.2.3\n",
-    }
-    for name, value in pairs(change) do
-      state[name] = value
-    end
-    return publish.left(state)
-  end
-
-  it("has nothing left to do if all is there", function()
-    assert.same({}, left({}))
-  end)
-
-  for name, row in pairs({
-    rockspec = {
-      ADDRESSED:gsub('url = "[^"]*"', 'url = ""'),
-      "rockspec/physics-scm-1.rockspec: set source.url",
-    },
-    version = { "1.2.4-dev", "physics.lua: _VERSION is 1.2.4-dev" },
-    changelog = { "# Changelog\n\n## Unreleased\n", "CHANGELOG.md: begin with the version" },
-    readme = { "no links", "README.md: link " .. ADDRESS .. "/releases" },
-    tags = { "v1.2.30\n", "git: the last commit needs the tag v1.2.3" },
-  }) do
-    it("names what is missing of " .. name, function()
-      assert.equal(row[2], left({ [name] = row[1] })[1]:sub(1, #row[2]))
-    end)
-  end
-
   it("finds the address in the rockspec alone #files", function()
     for _, path in
       ipairs(files.list("git ls-files -- '*.md' '*.yml' '*.py' '*.mjs' '*.lua' '*.html'"))

@@ -1,11 +1,10 @@
---- For specs of states: small worlds, a serializer as a game may have one, and what is refused.
+--- For specs of states: small worlds, a serializer as a game may have one, and damage.
 
 local physics = require("physics")
 
 local states = {}
 
 local DT = 1 / 60
-local unpackList = rawget(_G, "unpack") or rawget(table, "unpack")
 
 --- A serializer as a game may have one: text of numbers, strings, booleans and tables, no more.
 function states.write(value)
@@ -49,17 +48,6 @@ function states.smallWorld(settings)
   local other = world:add("boxes", { x = 60, y = 20, width = 16, height = 16 })
   world:update(DT)
   return world, box, other
-end
-
---- Fails unless the call of a method is refused with this text, at this file.
-function states.refused(text, world, method, ...)
-  local given = { ... }
-  local ok, message = pcall(function()
-    world[method](world, unpackList(given))
-  end)
-  assert(not ok, "it was not refused: " .. text)
-  local isBlamed = message:find("states.lua:%d+: physics: ")
-  assert(isBlamed and message:find(text, 1, true), message)
 end
 
 --- Sets what a path like "groups[2].name" leads to.
