@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 629 },
   { "physics/contacts", 384 },
   { "physics/fields", 670 },
-  { "physics/maps", 2382 },
+  { "physics/maps", 2416 },
   { "physics/memory", 775 },
   { "physics/motion", 988 },
   { "physics/narrowphase", 574 },
