@@ -10,7 +10,7 @@ local files = require("spec.support.files")
 
 local BUDGET = {
   { "physics.lua", 83 },
-  { "physics/broadphase", 629 },
+  { "physics/broadphase", 617 },
   { "physics/contacts", 384 },
   { "physics/fields", 670 },
   { "physics/maps", 2416 },
