@@ -326,7 +326,11 @@ describe("world:loadTiled, packed layers", function()
     ),
   }, function(expected, bytes)
     know("a", bytes)
-    small.refuses('world:loadTiled(map): layer "ground": ' .. expected, load, packed("zlib", "YQ=="))
+    small.refuses(
+      'world:loadTiled(map): layer "ground": ' .. expected,
+      load,
+      packed("zlib", "YQ==")
+    )
   end)
 end)
 
