@@ -155,6 +155,7 @@ describe("world:loadTiled refuses", function()
     { { x = NAN }, "x must be a number, got nan" },
     { { solidProperty = true }, "solidProperty must be a name, got true" },
     { { kinds = { Crate = "box" } }, 'kinds.Crate must be "static", "dynamic", "kinematic" …' },
+    { { ellipses = "oval" }, 'ellipses must be "box" or "circle", got "oval"' },
     { { project = { propertyTypes = { 5 } } }, "the map is damaged: …" },
     { { wallWords = "wall" }, 'wallWords must be a list of names, got "wall"' },
     { { decode = "json" }, 'decode must be a function, got "json"' },

@@ -196,12 +196,17 @@ of other shapes | things | capsule 0 0 8 8; text 0 0 8 8
   ! things: capsule: only rectangles are boxes; ! things: text: only rectangles are boxes
 are circles, no ellipses | things | ellipse 0 0 8 8; ellipse 0 0 16 8
   things 0 0 8 8 radius=4 sensor static; ! things: ellipse: only circles are round
+  the option ellipses = "box" makes it a box
 are circles by their radius, if it fits | things | 0 0 8 8 static:true radius:4; 0 0 8 8 radius:5
   things 0 0 8 8 radius=4 static; things 0 0 8 8 sensor static
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
 do not fall for what walls may have | things | 0 0 8 8 radius:96; 9 0 8 8 carry:false strength:2
   things 0 0 8 8 sensor static; things 9 0 8 8 carry=false sensor static strength=2
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
+are the boxes of ellipses | things | ellipse 0 0 16 8 | ellipses = "box"
+  things 0 0 16 8 sensor static
+are the circles in ellipses | things | ellipse 10 0 16 8 | ellipses = "circle"
+  things 14 0 8 8 radius=4 sensor static
 of several boxes stand | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 solid:true
   things 9 9 10 20 static; things 9 29 30 10 static
 of several boxes do not move | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 static:false

@@ -5,13 +5,14 @@
 -- Each of these pairs gets a *plane*: the tangent where the two touch, or will meet.
 --
 --           n                Along the normal n, which leads from `other` to `one`, the two must
---           ^     o ->       end at least `least` px apart: the difference of their places. If they
---      -----|----(-)-----    touch now, that is how far apart they are; if they meet later, how far
---           o                they are there.
+--           ^     o ->       end at least `least` px apart: the difference of their places along
+--      -----|----(-)-----    it, now if they touch, else where they meet.
+--           o
 --          (-)
 --
 -- Both shapes are convex. So bodies on their own sides of the plane cannot overlap, at any speed
--- and wherever else they go. Pairs that bounce get no plane: they have impacts.
+-- and wherever else they go. So a pair with a plane is swept no more (`SLANTED` in contacts). Pairs
+-- that bounce get no plane: they have impacts. Each solve begins with an empty list.
 --
 -- Planes are found in four ways: of pairs that touch when the step begins (`takes`), that will meet
 -- on their paths (`find`), that meet in a round and do not bounce (`meet`), and that end in each
@@ -22,7 +23,7 @@ local ball = require(root .. ".narrowphase.ball")
 local boxes = require(root .. ".space.boxes")
 local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
-local heap = require(root .. ".overlaps.heap")
+local filter = require(root .. ".broadphase.filter")
 local impact = require(root .. ".solver.impact")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
@@ -38,10 +39,10 @@ local gapIn = ball.gapIn
 local huge, max, min = math.huge, math.max, math.min
 -- Share of the smaller size: the depth from which two leave each other as boxes do.
 local LOST = ball.LOST
--- Pairs get a plane although they may not meet if they are nearer than this share of the smaller
--- size, and slower than that share in a step: others may push them together.
+-- Two that can both be moved get a plane although they may not meet if they are nearer than this
+-- share of the smaller size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
--- Share of an overlap that is taken away in a step.
+-- Share of an overlap beyond the slop that is taken away in a step.
 local PACE = 0.5
 
 --- Prepares the list of a world for a new solve.
@@ -111,7 +112,8 @@ local function passes(b, p, i, j, nx, ny, isDeep)
   return rules.passes(b, p, 2 * low + axis, 2 * (i + j - low) + axis, axis, isDeep)
 end
 
--- Returns whether two bodies that close at u px/s are left to an impact.
+-- Returns whether two bodies that close at u px/s are left to an impact: they are elastic, and
+-- faster than gravity makes them in two steps (without gravity at any speed).
 local function isElastic(b, i, j, u)
   if yielding.elasticity(b, i, j) == 0 then
     return false
@@ -144,8 +146,8 @@ local function noteHit(b, p, nx, ny, time, speed)
 end
 
 -- Adds a pair that is apart and meets at moment `time`. Of the immovable ones that a body meets
--- only the first one counts now: that turns the body, so that it may not come to the others (as to
--- the seam of two tiles). Returns whether the pair was added.
+-- only the first one counts in this call of `find`: that turns the body, so that it may not come to
+-- the others (as to the seam of two tiles). Returns whether the pair was added.
 local function putFirst(b, p, nx, ny, least, time, speed)
   local i, j = slotsOf(b, p)
   if b.contact[p] == 0 and time < 1 then
@@ -207,9 +209,9 @@ local function meeting(b, i, j)
   if gap >= -EPSILON and -nx * dx - ny * dy > gap then
     local x, y, ox, oy = from[k], from[k + 1], from[m], from[m + 1]
     shapes.setPair(shape[i], x, y, size[k], size[k + 1], shape[j], ox, oy, size[m], size[m + 1])
-    local share, itsX, itsY, _, isDeep = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
+    local share, itsX, itsY = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
     if share then
-      return not isDeep and share or nil, itsX, itsY, -share * (dx * itsX + dy * itsY)
+      return share, itsX, itsY, -share * (dx * itsX + dy * itsY)
     end
   end
   local isIn = gap < -EPSILON or gap > near or distance > SLOW * smallest
@@ -217,13 +219,12 @@ local function meeting(b, i, j)
   return areLoose and not isIn and 1.0 or nil, nx, ny, max(gap, 0.0)
 end
 
--- Makes a plane of pair p if it is apart and will meet slanted, or is near and slow. Returns
--- whether.
+-- Makes a plane of pair p if it is apart and will meet slanted, or is near and slow (one-way
+-- objects: never). Returns whether.
 local function findPair(b, p)
   local i, j = slotsOf(b, p)
-  local hasTurned = b.time[i] > 0 or b.time[j] > 0 or b.pieceLast[i] > 0 or b.pieceLast[j] > 0
   local time, nx, ny, gap = meeting(b, i, j)
-  if not time or hasTurned or not (mayPress(b, i, j) and heap.mayPush(b, p, i, j)) then
+  if not (time and mayPress(b, i, j) and filter.areSolid(b, i, j)) then
     return false
   end
   local u = -along(b.speed, i, j, nx, ny)
@@ -253,30 +254,22 @@ function slant.find(b, isFirst)
 end
 
 --- Makes a plane of pair p, which meets at moment t in a round and does not bounce. (The two may be
---- deep in each other, if others have pushed them there in this step.) Returns whether it did.
+--- deep in each other, if others have pushed them there in this step.)
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
-  if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
-    return false
-  end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  local isLost = gap < -LOST * ball.smallest(b, i, j) and gapIn(b, b.origin, i, j) < -EPSILON
-  if isLost then
-    return false
-  end
   put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
-  return true
 end
 
 --- Makes planes of the pairs, also of boxes, that were apart when the step began and end in each
---- other: one of the two had an impact, and others have changed the path of the other one before
---- that.
+--- other: one of the two had an impact after others had changed the path of the second one.
 function slant.findLate(b)
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = slotsOf(b, p)
-    local isIn = b.touches[p] == APART and mayPress(b, i, j) and gapIn(b, b.to, i, j) < -EPSILON
-    if isIn and gapIn(b, b.origin, i, j) >= -EPSILON and heap.mayPush(b, p, i, j) then
+    local isOpen = b.touches[p] == APART and not b.passing[p] and filter.areSolid(b, i, j)
+    local isIn = isOpen and mayPress(b, i, j) and gapIn(b, b.to, i, j) < -EPSILON
+    if isIn and gapIn(b, b.origin, i, j) >= -EPSILON then
       slant.meet(b, p, 1)
     end
   end
