@@ -44,6 +44,9 @@ local LOST = ball.LOST
 local NEAR, SLOW = 0.1, 0.25
 -- Share of an overlap beyond the slop that is taken away in a step.
 local PACE = 0.5
+-- A pair that lies still takes a new impulse if that is below this share of its own. (With 0.1 some
+-- rows on a belt never rest, with 0.95 some deep heaps.)
+local KEPT = 0.5
 
 --- Prepares the list of a world for a new solve.
 function slant.begin(b)
@@ -283,7 +286,8 @@ end
 
 --- Notes the hits of pairs that begin to touch in this step, and forgets those that did not come to
 --- that; and with which impulses pairs press each other: the next step begins with these. (A pair
---- that lies still keeps its own, so that an island at rest does not change.)
+--- that lies still keeps its own, so that an island at rest does not change. But it does not keep
+--- that of a landing: balls that stood on a belt shook the last one off again and again.)
 function slant.tell(b)
   local s, last, live, touches = b.slants, b.lastImpulse, b.live, b.touches
   for n = 1, b.liveCount do
@@ -292,9 +296,13 @@ function slant.tell(b)
     end
   end
   for c = 1, s.count do
-    local p = s.pair[c]
-    if not (isStill(b, s.one[c]) and isStill(b, s.other[c])) then
-      last[p] = s.isFlush[c] and s.impulse[c] or 0.0
+    local p, i, j = s.pair[c], s.one[c], s.other[c]
+    local impulse = s.isFlush[c] and s.impulse[c] or 0.0
+    if not (isStill(b, i) and isStill(b, j)) then
+      last[p] = impulse
+    elseif impulse < KEPT * last[p] then
+      last[p], b.mustStayAwake[i], b.mustStayAwake[j] = impulse, true, true
+      b.stillAt[i], b.stillAt[j] = 0, 0
     end
     if s.isFlush[c] then
       b.resolved = b.resolved + 1

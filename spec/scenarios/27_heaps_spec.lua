@@ -227,18 +227,19 @@ describe("radius: a heap of balls", function()
     end)
   end
 
-  -- The belt leads to a wall: they stand, though it runs on under them.
-  it("that waits on a belt rests", function()
+  -- The belt leads to a wall: they stand, though it runs on under them. (With smaller ones among
+  -- them the last one was shaken off by 0.1 px again and again.)
+  small.rows("that waits on a belt rests: {1} px and more", { 6, 5 }, function(smallest)
     local world, random = physics.newWorld({ gravity = 800 }), newRandom(2)
     local belt = wall(world, 0, 100, 340, 20)
     belt.surfaceSpeed, belt.friction = 80, 0.5
     wall(world, 340, 0, 20, 120)
     for i = 1, 10 do
-      local radius = random:between(6, 9)
+      local radius = random:between(smallest, 9)
       local x, y = 24 * i, 100 - 2 * radius
       world:add("balls", { x = x, y = y, radius = radius, friction = 0.5 })
     end
-    run(world, 4)
+    run(world, smallest == 6 and 4 or 5)
     assert.are.equal(10, world.stats.resting)
     assert.is_true(depths(world.objects.balls, 340) < 0.1)
   end)
