@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 825 },
   { "physics/queries", 962 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3331 },
+  { "physics/solver", 3332 },
   { "physics/space", 505 },
   { "physics/state", 962 },
   { "physics/world", 1362 },

@@ -326,7 +326,8 @@ local function clipAll(b)
     local i = b.awakeList[n]
     local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
     if isMovable and isSqueezed(b, i) then
-      count, list[count + 1] = count + 1, i
+      count = count + 1
+      list[count] = i
     end
   end
   for axis = 0, count > 0 and 1 or -1 do
