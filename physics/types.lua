@@ -437,7 +437,7 @@ function default.setBounds(x, y, w, h) end
 --- Errors: the map does not exist, or a part is damaged; an option is unknown, or names a layer
 --- that is not in the map; with `strict` a property cannot be used; a group is an object; it is
 --- called from inside `canCollide`. Nothing has been added then.
----@param map table|string the path of a map or a world, its table, or decoded JSON
+---@param map table|string the path of a map or a world, the table that an export or STI returns, or decoded JSON
 ---@param options physics.TiledOptions? where the map goes, and which parts are solid
 ---@return physics.Level|physics.Atlas level the objects that were added, and the parts that were left out
 function default.loadTiled(map, options) end

@@ -67,7 +67,8 @@ small.rows(
     local loaded, refused = 0, 0
     for seed = 1, effort.share(300, 100) do
       local generator = random.new(seed * 31)
-      local map = small.copy(MAPS[generator:integer(1, 3)])
+      local n = generator:integer(1, 4)
+      local map = n == 4 and tiled.sti(MAPS[2]) or small.copy(MAPS[n])
       map = kind == "LDtk" and ldtk.cave() or map
       local options = { strict = generator:chance(0.2) }
       damage(map, generator)

@@ -64,7 +64,6 @@ describe("world:loadTiled refuses", function()
     { nil, "map must be a Tiled map or the path of one, got nil" },
     { 5, "map must be a Tiled map or the path of one, got 5" },
     { { tilecount = 5 }, "this is a tileset, not a map: load the map that uses it" },
-    { { tileInstances = {} }, "STI has changed this map: give the path of its file" },
     { "a.tmx", 'cannot read "a.tmx": it is XML: export the map as Lua (File > Export As), …' },
     { "a.world", 'cannot read "a.world": it is JSON: give the option decode, …' },
     {
@@ -122,12 +121,16 @@ describe("world:loadTiled refuses", function()
     refuses(words, "loadTiled", map, { strict = true })
   end)
 
-  it("no polygon with a thousand corners, and goes on", function()
+  it("sizes that would take for ever, and reads no polygon with a thousand corners", function()
+    local map = tiled.sti(newMap())
+    map.layers[2].width = 1e9
+    local expected = 'layer "all.ground": width * height must be an integer in 0..10000000, …'
+    refuses(expected, "loadTiled", map)
     local corners = {}
     for i = 1, 1000 do
       corners[i] = { x = i % 2 * 16, y = i }
     end
-    local map = newMap()
+    map = newMap()
     map.layers[1].objects[1].shape, map.layers[1].objects[1].polygon = "polygon", corners
     local level = newWorld():loadTiled(map)
     assert.equal("polygon: it has more than 500 corners", level.unsupported[1].reason)
@@ -152,6 +155,7 @@ describe("world:loadTiled refuses", function()
     { { x = NAN }, "x must be a number, got nan" },
     { { solidProperty = true }, "solidProperty must be a name, got true" },
     { { kinds = { Crate = "box" } }, 'kinds.Crate must be "static", "dynamic", "kinematic" …' },
+    { { ellipses = "oval" }, 'ellipses must be "box" or "circle", got "oval"' },
     { { project = { propertyTypes = { 5 } } }, "the map is damaged: …" },
     { { wallWords = "wall" }, 'wallWords must be a list of names, got "wall"' },
     { { decode = "json" }, 'decode must be a function, got "json"' },

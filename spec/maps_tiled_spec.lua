@@ -1,5 +1,5 @@
 --- Maps of the editor Tiled: what of layers, objects and words stands in the world, and where; what
---- is said of the rest.
+--- is said of the rest. Most rows are read through STI as well.
 
 local physics = require("physics")
 local small = require("spec.support.small")
@@ -31,7 +31,14 @@ describe("world:loadTiled, layers", function()
   local deep = tiled.group(1, "outer", { inner }, { offsetx = 100, offsety = -7.5 })
   local solid = { { id = 0, properties = { solid = true } } }
   local expected = "ground 139 9.75 32 16 static; things 124 -1.25 7 8 sensor static"
-  tiled.row("have the sum of their offsets", map({ deep }, solid), expected)
+  tiled.row("have the sum of their offsets", map({ deep }, solid), expected, nil, false)
+
+  it("have the sum of their offsets through STI, too", function()
+    local level, world = load(tiled.sti(map({ deep }, solid), 500, 50))
+    assert.same({ "639 59.75 32 16" }, boxes(world, "outer.inner.ground"))
+    assert.same({ "624 48.75 7 8" }, boxes(world, "outer.inner.things"))
+    assert.same({ 500, 50 }, { level.x, level.y })
+  end)
 
   local list = { box(0), box(9, { friction = 0.3, kinematic = true }) }
   local inside =
@@ -40,12 +47,13 @@ describe("world:loadTiled, layers", function()
   expected = "things 0 0 8 8 friction=0.2 restitution=1 static; "
     .. "things 9 0 8 8 friction=0.3 kinematic restitution=1"
   local nested = map({ tiled.group(2, "all", { inside }, around) })
-  tiled.row("give their properties to what is in them", nested, expected)
+  tiled.row("give their properties to what is in them", nested, expected, nil, false)
 
   local image = { type = "imagelayer", name = "walls", properties = {} }
   tiled.row("of images have no boxes", map({ image }), "")
   image = { type = "imagelayer", name = "a", properties = { solid = true } }
   tiled.row("of images should be solid", map({ image }), "! a: image layer: it has no boxes")
+  tiled.row("of STI", map({ { type = "customlayer", name = "a" } }), "")
   expected = '! a: unknown type of layer: "fog"'
   tiled.row("of another type", map({ { type = "fog", name = "a" } }), expected)
 
@@ -56,7 +64,7 @@ describe("world:loadTiled, layers", function()
   tiled.row("none", two, "", { onlyLayers = {} })
   tiled.row("all but one", two, expected, { skipLayers = { 1 } })
   local some = { onlyLayers = { 9 }, skipLayers = { "a" } }
-  tiled.row("all of a group but one", group, expected, some)
+  tiled.row("all of a group but one", group, expected, some, false)
   expected = "! %s: hexagonal map: only orthogonal ones have boxes"
   expected = expected:format("a") .. "; " .. expected:format("b")
   tiled.row("of a map of hexagons", map({ a, b }, nil, { orientation = "hexagonal" }), expected)
@@ -88,6 +96,7 @@ describe("world:loadTiled, layers", function()
         { -2, 0, 4, 1, 1 },
         { place.column, place.row, place.columns, place.rows, place.gid }
       )
+      assert.same(show(level, world), show(load(tiled.sti(given))))
     end
   end)
 
@@ -187,12 +196,17 @@ of other shapes | things | capsule 0 0 8 8; text 0 0 8 8
   ! things: capsule: only rectangles are boxes; ! things: text: only rectangles are boxes
 are circles, no ellipses | things | ellipse 0 0 8 8; ellipse 0 0 16 8
   things 0 0 8 8 radius=4 sensor static; ! things: ellipse: only circles are round
+  the option ellipses = "box" makes it a box
 are circles by their radius, if it fits | things | 0 0 8 8 static:true radius:4; 0 0 8 8 radius:5
   things 0 0 8 8 radius=4 static; things 0 0 8 8 sensor static
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
 do not fall for what walls may have | things | 0 0 8 8 radius:96; 9 0 8 8 carry:false strength:2
   things 0 0 8 8 sensor static; things 9 0 8 8 carry=false sensor static strength=2
   ! things: radius must be half of width and height, which are 8 and 8: it is left out
+are the boxes of ellipses | things | ellipse 0 0 16 8 | ellipses = "box"
+  things 0 0 16 8 sensor static
+are the circles in ellipses | things | ellipse 10 0 16 8 | ellipses = "circle"
+  things 14 0 8 8 radius=4 sensor static
 of several boxes stand | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 solid:true
   things 9 9 10 20 static; things 9 29 30 10 static
 of several boxes do not move | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 static:false

@@ -4,19 +4,19 @@
 -- Two bodies that overlap get a velocity apart along the line between their middles, in proportion
 -- to the depth: `soft` px/s on the axis on which they are further apart, for two bodies at one
 -- place. The stronger one does not give way; two of equal strength share it by their masses.
--- The velocities of all its pairs add up to the *drift* of a body, which is at most the largest
--- `soft` of its group. The drift is added to the path of this step and taken off again after it, so
--- that solid objects stop it as any other motion.
+-- The velocities of all its pairs add up to the *drift* of a body, in each part of a step at most
+-- the largest `soft` of its group. The drift is added to the path of this step and taken off again
+-- after it, so that solid objects stop it as any other motion.
 --
 --      [ a [ ] b ]        Let d be the distance of the middles on an axis, h the sum of the half
 --      <-       ->        sizes there, and f the larger d / h of both axes. Then the pair parts at
 --       | d  |            soft (1 / f - 1) d / h:  `soft` at one place, 0 when the two touch.
 --
 -- The places x of a crowd follow x' = v(x), whose stiffness is the rate soft / size (the fastest
--- `soft`, the mean size) times the number of pairs, near ones included, for each body that begins
--- one. One step of v dt overshoots if that rate times dt is above 2: a
--- dense crowd would explode. So a step is made in s parts, the stages of a Runge-Kutta-Legendre
--- scheme, with z = rate * dt:
+-- `soft`, the mean of widths and heights) times the number of pairs, near ones included, for each
+-- body that is the first of one in the list. One step of v dt overshoots if that rate times dt is
+-- above 2: a dense crowd would explode. So a step is made in s parts, the stages of a
+-- Runge-Kutta-Legendre scheme, with z = rate * dt:
 --
 --      Y_n = Y_(n-1) + (n - 1) / n (Y_(n-1) - Y_(n-2)) + (4 n - 2) / (n (s² + s)) v(Y_(n-1)) dt
 --
@@ -25,10 +25,11 @@
 -- factors.) Beyond that, only the limit of the drift bounds it. A drift against the motion of its
 -- body slows that further, so that a crowd comes to stand (see `listDrifted`).
 --
--- The pairs that overlap, or may in this step, are found once. The bodies are sorted by rows, which
--- are as high as the highest body, and in a row by their left edges. Each is compared with those
--- beside it in its row and in the next one. Sums do not depend on that order: all velocities are
--- rounded to multiples of 2^-20 px/s, which add up exactly.
+-- The pairs that overlap, or are less than `near` apart, are found once. The bodies are sorted by
+-- the rows of their upper edges, which are as high as the highest body and `near`, and in a row by
+-- their left edges. So each is compared with those beside it in its row and in the next one. Sums
+-- do not depend on that order: all velocities are rounded to multiples of 2^-20 px/s, which add up
+-- exactly.
 --
 -- Source: C. D. Meyer, D. S. Balsara, T. D. Aslam, A second-order accurate Super TimeStepping
 -- formulation for anisotropic thermal conduction, 2012 (RKL1, the scheme of first order).
@@ -237,10 +238,10 @@ local function advance(b, work, keep, part, own, dt)
   end
 end
 
--- Lists the bodies that drift, and wakes them. A body that its drift nearly stops on an axis is
--- slowed further, in proportion to the speed that is left: so it does not go to and fro around the
--- place where it comes to stand. A body that stands on something drifts across gravity only: it is
--- not lifted off the ground.
+-- Lists the bodies that drift, and wakes them. Where a drift against the velocity of its body
+-- leaves less than `own`, the larger part of that velocity, the speed that is left shrinks by left
+-- / own: so the body does not go to and fro around the place where it comes to stand. A body that
+-- stands on something drifts across gravity only: it is not lifted off the ground.
 local function listDrifted(b, work)
   local softSpeed, velocity, down, support = b.softSpeed, b.velocity, b.down, b.support
   for n = 1, work.count do
@@ -304,7 +305,7 @@ end
 
 --- Takes the drift off the velocities again, after a step. The body's own velocity becomes the
 --- middle one of three: its speed at the end of the step, its own velocity, and that with the
---- change of speed in the step.
+--- change of speed in the step. (So a wall that stopped the drift does not throw it back.)
 function drift.takeOff(b)
   local before, gift, speed, freeSpeed = b.drifts.speed, b.drifts.carried, b.speed, b.freeSpeed
   for n = 1, b.driftedCount do

@@ -29,7 +29,7 @@
 -- A candidate has `object`, `rank`, `kind`, `shape`, `position` and `size` (at 2 n and 2 n + 1) at
 -- once; `active`, `sensor`, `oneWay` and masks only after `near.readFilter`. Down of the world, at
 -- the last update, is the axis a = `c.bodies.downAxis`, its sign `c.bodies.orientation[a]`; down of
--- an object that can move is `b.down`, 0 on both axes if nothing pulls it. The filter may
+-- an object is `b.down`, if `kind` is DYNAMIC: 0 on both axes if nothing pulls it. The filter may
 -- be a function of the game, which may ask queries itself: it is called by `publish`, `first` and
 -- `accepts` only.
 --

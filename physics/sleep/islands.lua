@@ -13,8 +13,8 @@
 -- that do not move.
 --
 -- Notes that keep a body awake: `tellMotion` in objects/write.lua calls a body *quiet* if the step
--- has changed no bit of its place and velocity, its speed is 0 (of a dynamic body: or was at the
--- start), `wayLeft` is 0, and `hasNews` there finds none of these notes. At the end of the step
+-- has changed no bit of its place and velocity, its speed is 0 (of a dynamic body: at the end or at
+-- the start), `wayLeft` is 0, and `hasNews` there finds none of these notes. At the end of the step
 -- `mustStayAwake` says whether it is not quiet.
 --
 --     mustStayAwake  a contact that begins, ends or bounces (`contactState.update`), any slanted
@@ -40,7 +40,7 @@
 --   (objects/settings), `shift`, `refresh`, a restored state, `dropThrough` (world/world.lua);
 -- - a new or lost neighbour, a body that overlaps others (broadphase/, overlaps/), soft crowds
 --   (motion/drift);
--- - a moving kinematic object, and steps below SHORTEST;
+-- - a kinematic object that starts or comes near, and steps below SHORTEST;
 -- - a path that comes near (`wakeLinked` in pairFinder). In the middle of a step: the step begins
 --   anew, after some times with all bodies awake (`solver.run`).
 --

@@ -16,8 +16,8 @@
 --
 -- - Weight, the part that the body's own acceleration causes. It acts through the whole step, as a
 --   constant grip of mu weight / dt.
--- - An impact, the rest. It rubs at once: it changes the velocity with which the step begins
---   (`onset`) by at most mu (load - weight) / m.
+-- - An impact, the rest. On ground it rubs at once: it changes the velocity with which the step
+--   begins (`onset`) by at most mu (load - weight) / m. A bond has one limit for both parts.
 --
 -- Then the contacts rub, from the supports up, because the speed of a support must be known
 -- before a body rubs on it. There are two cases:
@@ -36,8 +36,9 @@
 -- A field that changes the coefficient (as rolling friction of round bodies, for which
 -- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
 -- `hint = "hasFriction"`, and a term in all three results of `friction.coefficient`, which all
--- four places ask: the same with i and j exchanged. Slanted contacts (a ball on a slope, on a
--- corner, or beside the middle of another ball) have none: see ARCHITECTURE, friction.
+-- four places ask: symmetric in i and j. (Contacts are not only with floors: a ball at a wall, a
+-- box on a ball.) Slanted contacts (a ball on a slope, on a corner, or beside the middle of another
+-- ball) have none: see ARCHITECTURE, friction.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
@@ -86,9 +87,9 @@ local function chooseSupport(b, list, k, c, other)
 end
 
 -- Returns whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1): it
--- has lost speed to m. If m is held, it is immovable, or gravity acts that way, or m leans there,
--- too (else a bond below k may have stopped both as one block). If not, gravity acts that way, and
--- m has not lost speed.
+-- has lost speed to m. Where m is held, m must be immovable, or gravity act that way, or m lean
+-- there, too (else a bond below k may have stopped both as one block). Where m is not held, gravity
+-- must act that way, and m have lost no speed.
 local function leans(b, list, k, m, sign)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
   if b.give[k] == 0 or lost < 0 then

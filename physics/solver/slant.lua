@@ -5,13 +5,14 @@
 -- Each of these pairs gets a *plane*: the tangent where the two touch, or will meet.
 --
 --           n                Along the normal n, which leads from `other` to `one`, the two must
---           ^     o ->       end at least `least` px apart: the difference of their places. If they
---      -----|----(-)-----    touch now, that is how far apart they are; if they meet later, how far
---           o                they are there.
+--           ^     o ->       end at least `least` px apart: the difference of their places along
+--      -----|----(-)-----    it, now if they touch, else where they meet.
+--           o
 --          (-)
 --
 -- Both shapes are convex. So bodies on their own sides of the plane cannot overlap, at any speed
--- and wherever else they go. Pairs that bounce get no plane: they have impacts.
+-- and wherever else they go. So a pair with a plane is swept no more (`SLANTED` in contacts). Pairs
+-- that bounce get no plane: they have impacts. Each solve begins with an empty list.
 --
 -- Planes are found in four ways: of pairs that touch when the step begins (`takes`), that will meet
 -- on their paths (`find`), that meet in a round and do not bounce (`meet`), and that end in each
@@ -38,10 +39,10 @@ local gapIn = ball.gapIn
 local huge, max, min = math.huge, math.max, math.min
 -- Share of the smaller size: the depth from which two leave each other as boxes do.
 local LOST = ball.LOST
--- Pairs get a plane although they may not meet if they are nearer than this share of the smaller
--- size, and slower than that share in a step: others may push them together.
+-- Two that can both be moved get a plane although they may not meet if they are nearer than this
+-- share of the smaller size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
--- Share of an overlap that is taken away in a step.
+-- Share of an overlap beyond the slop that is taken away in a step.
 local PACE = 0.5
 
 --- Prepares the list of a world for a new solve.
@@ -111,7 +112,8 @@ local function passes(b, p, i, j, nx, ny, isDeep)
   return rules.passes(b, p, 2 * low + axis, 2 * (i + j - low) + axis, axis, isDeep)
 end
 
--- Returns whether two bodies that close at u px/s are left to an impact.
+-- Returns whether two bodies that close at u px/s are left to an impact: they are elastic, and
+-- faster than gravity makes them in two steps (without gravity at any speed).
 local function isElastic(b, i, j, u)
   if yielding.elasticity(b, i, j) == 0 then
     return false
@@ -144,8 +146,8 @@ local function noteHit(b, p, nx, ny, time, speed)
 end
 
 -- Adds a pair that is apart and meets at moment `time`. Of the immovable ones that a body meets
--- only the first one counts now: that turns the body, so that it may not come to the others (as to
--- the seam of two tiles). Returns whether the pair was added.
+-- only the first one counts in this call of `find`: that turns the body, so that it may not come to
+-- the others (as to the seam of two tiles). Returns whether the pair was added.
 local function putFirst(b, p, nx, ny, least, time, speed)
   local i, j = slotsOf(b, p)
   if b.contact[p] == 0 and time < 1 then
@@ -217,8 +219,8 @@ local function meeting(b, i, j)
   return areLoose and not isIn and 1.0 or nil, nx, ny, max(gap, 0.0)
 end
 
--- Makes a plane of pair p if it is apart and will meet slanted, or is near and slow. Returns
--- whether.
+-- Makes a plane of pair p if it is apart and will meet slanted, or is near and slow (one-way
+-- objects: never). Returns whether.
 local function findPair(b, p)
   local i, j = slotsOf(b, p)
   local hasTurned = b.time[i] > 0 or b.time[j] > 0 or b.pieceLast[i] > 0 or b.pieceLast[j] > 0
@@ -269,8 +271,7 @@ function slant.meet(b, p, t)
 end
 
 --- Makes planes of the pairs, also of boxes, that were apart when the step began and end in each
---- other: one of the two had an impact, and others have changed the path of the other one before
---- that.
+--- other: one of the two had an impact after others had changed the path of the second one.
 function slant.findLate(b)
   for n = 1, b.liveCount do
     local p = b.live[n]

@@ -166,6 +166,76 @@ function tiled.infinite()
   return tiled.map({ set }, { rocks, tiled.objects(2, "boxes", { box }) }, { infinite = true })
 end
 
+-- STI ---------------------------------------------------------------------------------------------
+
+local function flatten(layers, list)
+  for _, inner in ipairs(layers) do
+    if inner.type == "group" then
+      for _, child in ipairs(inner.layers) do
+        child.name = inner.name .. "." .. child.name
+        child.offsetx = (inner.offsetx or 0) + (child.offsetx or 0)
+        child.offsety = (inner.offsety or 0) + (child.offsety or 0)
+        child.properties = small.set(small.set({}, inner.properties), child.properties)
+      end
+      flatten(inner.layers, list)
+    else
+      list[#list + 1] = inner
+    end
+  end
+  return list
+end
+
+local function toRows(grid, tiles)
+  local rows = {}
+  for y = 1, grid.height do
+    rows[y] = {}
+    for x = 1, grid.width do
+      local gid = grid.data[(y - 1) * grid.width + x]
+      if gid ~= 0 then
+        tiles[gid] = tiles[gid] or { gid = gid, properties = {}, sx = 1, sy = 1, r = 0 }
+        rows[y][x] = tiles[gid]
+      end
+    end
+  end
+  grid.data = rows
+end
+
+-- STI turns corners by sine and cosine, and moves them to where the object is.
+local function moveCorners(object, inner)
+  local angle = math.rad(object.rotation or 0)
+  local cos, sin = math.cos(angle), math.sin(angle)
+  for _, corner in ipairs(object.polygon or object.polyline or {}) do
+    local x, y = corner.x, corner.y
+    corner.x = inner.x + object.x + cos * x - sin * y
+    corner.y = inner.y + object.y + sin * x + cos * y
+  end
+end
+
+--- The table that STI 1.2 makes of a map: layers without groups, also under their names; rows of
+--- tiles instead of gids; objects by id. What it adds only for drawing is left out.
+function tiled.sti(map, offsetX, offsetY)
+  map = small.copy(map)
+  map.offsetx, map.offsety = offsetX or 0, offsetY or 0
+  map.objects, map.tiles, map.tileInstances = {}, {}, {}
+  map.layers = flatten(map.layers, {})
+  for _, inner in ipairs(map.layers) do
+    inner.x = map.offsetx + (inner.offsetx or 0)
+    inner.y = map.offsety + (inner.offsety or 0)
+    for _, grid in ipairs(inner.chunks or { inner.data and inner }) do
+      toRows(grid, map.tiles)
+    end
+    for _, object in ipairs(inner.objects or {}) do
+      object.layer = inner
+      moveCorners(object, inner)
+      map.objects[object.id] = object
+    end
+  end
+  for _, inner in ipairs(map.layers) do
+    map.layers[inner.name] = inner
+  end
+  return map
+end
+
 -- JSON --------------------------------------------------------------------------------------------
 
 local SHAPES = { ellipse = true, point = true, capsule = true, text = true }
@@ -228,10 +298,11 @@ end
 
 -- Rows --------------------------------------------------------------------------------------------
 
---- A map with this title must be read like that, also from JSON.
-function tiled.row(title, map, expected, options)
+--- A map with this title must be read like that, also from JSON, and through STI unless `sti` is
+--- false.
+function tiled.row(title, map, expected, options, sti)
   small.rows(title, { {} }, function()
-    for _, each in ipairs({ map, tiled.json(map) }) do
+    for _, each in ipairs({ map, tiled.json(map), sti ~= false and tiled.sti(map) or nil }) do
       local found = tiled.show(tiled.load(each, options))
       assert(found == expected, found)
     end
