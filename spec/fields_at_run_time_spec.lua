@@ -166,7 +166,6 @@ local row = play.once({
   DT = DT,
   down = { boxes = { tiles = false } },
   up = { tiles = { boxes = false } },
-  both = { tiles = true },
 })
 
 describe("every field and setting at run time:", function()
@@ -187,25 +186,11 @@ describe("every field and setting at run time:", function()
     "box.y ~ y2, 1e-9; box.touching.bottom == floor",
   }, {
     "what, first, steps, y, second, steps2, y2",
-    { "active, off and on", "box.active, box.y = false, 20", 30, 20, "box.active = nil", 60, 84 },
     { "height and y", "box.height, box.y = 24, 76", 5, 76, "box.height = 8", 30, 92 },
     { "width, x and y", "box.x, box.y, box.width = 300, -50, 32", 1, -50 + 1 / 9, "", 60, 84 },
     { "height, into the floor: it leaves upwards", "", 5, 84, "box.height = 20", 5, 80 },
-    { "kinematic", "box.kinematic, box.vy = true, -60", 60, 24, "box.kinematic = nil", 60, 84 },
-    { "sensor", "box.sensor = true", 30, 184, "box.sensor, box.y, box.vy = false, 40, 0", 60, 84 },
-    { "gravity", "box.raw.gravity = -800", 30, -16, "box.gravity, box.drag = nil, 0", 90, 84 },
-    { "gravity = 0", "box.y, box.raw.gravity = 0, 0", 30, 0, "box.raw.gravity = 800", 60, 84 },
     { "masks", "world.masks = down", 30, 184, "box.y, box.vy, world.masks = 0, 0, {}", 60, 84 },
     { "masks, the other way", "world.masks = up", 30, 184, "box.y, world.masks = 0, nil", 60, 84 },
-    {
-      "mask, changed in place",
-      "box.raw.mask = both; world:update(DT); both.tiles = false",
-      30,
-      184,
-      "box.y, box.vy, both.tiles = 20, 0, nil",
-      60,
-      84,
-    },
   })
 
   -- Far away it has not been tested yet whether the two can meet.

@@ -30,7 +30,6 @@ slow.differs = {
   "spec/inside/lazy_spec.lua",
   "spec/invariants/determinism_spec.lua",
   "spec/invariants/garbage_spec.lua",
-  "spec/maps_damaged_spec.lua",
   "spec/maps_ldtk_spec.lua",
   "spec/maps_refusals_spec.lua",
   "spec/maps_spec.lua",

@@ -326,7 +326,7 @@ end
 -- Gives body k the acceleration with which it comes to its place with its speed, tau s after its
 -- path began there; at most `most`.
 local function accelerate(b, k, tau, most)
-  local a = tau > 0 and 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau or 0.0
+  local a = 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau
   path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
 end
 
@@ -373,9 +373,6 @@ end
 function press.run(b, ofAll)
   local s = b.slants
   listRows(b, ofAll)
-  if s.rows == 0 then
-    return
-  end
   listWalls(b)
   weigh(b, false)
   solve(b, b.to, s.push, PASSES, false)

@@ -23,7 +23,7 @@ local ball = require(root .. ".narrowphase.ball")
 local boxes = require(root .. ".space.boxes")
 local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
-local heap = require(root .. ".overlaps.heap")
+local filter = require(root .. ".broadphase.filter")
 local impact = require(root .. ".solver.impact")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
@@ -209,9 +209,9 @@ local function meeting(b, i, j)
   if gap >= -EPSILON and -nx * dx - ny * dy > gap then
     local x, y, ox, oy = from[k], from[k + 1], from[m], from[m + 1]
     shapes.setPair(shape[i], x, y, size[k], size[k + 1], shape[j], ox, oy, size[m], size[m + 1])
-    local share, itsX, itsY, _, isDeep = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
+    local share, itsX, itsY = shapes.meet(dx, dy, b.downAxis, 0.0, 0.0)
     if share then
-      return not isDeep and share or nil, itsX, itsY, -share * (dx * itsX + dy * itsY)
+      return share, itsX, itsY, -share * (dx * itsX + dy * itsY)
     end
   end
   local isIn = gap < -EPSILON or gap > near or distance > SLOW * smallest
@@ -223,9 +223,8 @@ end
 -- objects: never). Returns whether.
 local function findPair(b, p)
   local i, j = slotsOf(b, p)
-  local hasTurned = b.time[i] > 0 or b.time[j] > 0 or b.pieceLast[i] > 0 or b.pieceLast[j] > 0
   local time, nx, ny, gap = meeting(b, i, j)
-  if not time or hasTurned or not (mayPress(b, i, j) and heap.mayPush(b, p, i, j)) then
+  if not (time and mayPress(b, i, j) and filter.areSolid(b, i, j)) then
     return false
   end
   local u = -along(b.speed, i, j, nx, ny)
@@ -255,19 +254,11 @@ function slant.find(b, isFirst)
 end
 
 --- Makes a plane of pair p, which meets at moment t in a round and does not bounce. (The two may be
---- deep in each other, if others have pushed them there in this step.) Returns whether it did.
+--- deep in each other, if others have pushed them there in this step.)
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
-  if not mayPress(b, i, j) or b.pieceLast[i] > 0 or b.pieceLast[j] > 0 then
-    return false
-  end
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  local isLost = gap < -LOST * ball.smallest(b, i, j) and gapIn(b, b.origin, i, j) < -EPSILON
-  if isLost then
-    return false
-  end
   put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
-  return true
 end
 
 --- Makes planes of the pairs, also of boxes, that were apart when the step began and end in each
@@ -276,8 +267,9 @@ function slant.findLate(b)
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = slotsOf(b, p)
-    local isIn = b.touches[p] == APART and mayPress(b, i, j) and gapIn(b, b.to, i, j) < -EPSILON
-    if isIn and gapIn(b, b.origin, i, j) >= -EPSILON and heap.mayPush(b, p, i, j) then
+    local isOpen = b.touches[p] == APART and not b.passing[p] and filter.areSolid(b, i, j)
+    local isIn = isOpen and mayPress(b, i, j) and gapIn(b, b.to, i, j) < -EPSILON
+    if isIn and gapIn(b, b.origin, i, j) >= -EPSILON then
       slant.meet(b, p, 1)
     end
   end

@@ -51,7 +51,6 @@ local function stands(b, i)
   return b.support[i] ~= 0
     and (b.snap[i] > 0 or b.kind[b.support[i]] == DYNAMIC)
     and b.down[k] ~= 0 -- it is dynamic
-    and not (b.sensor[i] or b.buried[i])
     and shapes.isBox[b.shape[i]]
     and b.displacement[k] * b.down[k] >= 0
 end

@@ -2,7 +2,6 @@
 --- `space/lines` say of all pairs.
 
 local files = require("spec.support.files")
-local lines = require("physics.space.lines")
 local newRandom = require("spec.support.random").new
 local small = require("spec.support.small")
 local shapes = require("physics.space.shapes")
@@ -129,24 +128,6 @@ describe("shapes.meet", function()
     local share, nx, ny, _, isDeep = shapes.meet(1, 0, 1, way, 0)
     assert.same({ 0, side, 0, true }, { share, nx, ny, isDeep })
   end)
-end)
-
-it("lines.passage begins and ends where points of the line are in the shape", function()
-  local random = newRandom(5)
-  for n = 1, 1200 do
-    local shape = n % 6
-    local w, h = random:between(5, 40), random:between(5, 40)
-    h = shape == 1 and w or h
-    local x, y = random:between(-60, 60), random:between(-60, 60)
-    local dx, dy = random:between(-99, 99) + 0.5, random:between(-99, 99) + 0.5
-    local columns = { shape = { shape }, position = { 0, 0, 0 }, size = { 0, w, h } }
-    local enters, leaves = lines.passage(columns, 1, x, y, dx, dy)
-    for at = 0, 1, 0.05 do
-      local isIn = lines.isIn(shape, 0, 0, w, h, x + dx * at, y + dy * at)
-      local isNear = math.abs(at - enters) < 1e-9 or math.abs(at - leaves) < 1e-9
-      assert.equal(at > enters and at < leaves, isNear and at > enters and at < leaves or isIn)
-    end
-  end
 end)
 
 -- A shape is a row of `space/shapes`, not a branch in each file. (How many files name slopes and

@@ -1,7 +1,9 @@
 --- In a steady scene an update allocates nothing: no pause of the garbage collector in a game.
 
 local garbage = require("spec.support.garbage")
+local ours = require("bench.engines.ours")
 local physics = require("physics")
+local scenes = require("bench.scenes")
 local small = require("spec.support.small")
 
 local newBox, static, wide = small.box, small.tile, small.put
@@ -10,36 +12,9 @@ local WARM_UP, MEASURED = 600, 100
 
 local function nothing() end
 
--- A part of the scene: adds its objects (the floor is at y 300), and may return what the game
--- does before each step.
+-- A part of the scene: adds its objects (the floor is at y 300), and returns what the game does
+-- before each step.
 local PARTS = {
-  ["a pile"] = function(world)
-    for i = 0, 59 do
-      local box = newBox(i % 20 * 22, 280 - 20 * math.floor(i / 20), { friction = 0.3 })
-      world:add("boxes", box)
-    end
-  end,
-
-  ["bouncing balls"] = function(world)
-    world:add("walls", static(0, 0, 300, 9))
-    world:add("walls", static(0, 0, 9, 300))
-    world:add("walls", static(300, 0, 9, 300))
-    for i = 1, 4 do
-      local ball = wide(60 * i, 30 * i, 10, 10, { restitution = 1, gravity = 0, vx = 120 })
-      world:add("balls", ball)
-    end
-  end,
-
-  ["a walker and a lift"] = function(world)
-    local walker = world:add("players", wide(100, 276, 14, 24))
-    local lift = world:add("lifts", wide(200, 200, 60, 8, { kinematic = true }))
-    world:add("players", wide(210, 176, 14, 24))
-    return function(step)
-      walker.vx = step % 50 < 25 and 100 or -100
-      lift.vx = step % 60 < 30 and 60 or -60
-    end
-  end,
-
   ["a walker through sensors, between walls"] = function(world)
     world:add("walls", static(0, 200, 16, 100))
     world:add("walls", static(116, 200, 16, 100))
@@ -97,23 +72,6 @@ local PARTS = {
     end
   end,
 
-  ["boxes that rub each other and a wall"] = function(world)
-    world:add("walls", static(300, 0, 16, 300))
-    local lower = world:add("boxes", wide(0, 284, 100, 16, { friction = 0.5 }))
-    local upper = world:add("boxes", newBox(40, 268, { friction = 0.5 }))
-    world:add("tables", static(100, 200, 100, 10))
-    local slider = world:add("boxes", newBox(140, 184, { friction = 0.5 }))
-    local fields = { ax = 400, gravity = 0, friction = 0.5 }
-    local climber = world:add("boxes", newBox(284, 100, fields))
-    return function(step)
-      local speed = step % 20 < 10 and 100 or -100
-      lower.vx, upper.vx, climber.vy = speed, -speed, speed
-      if step % 20 == 0 then
-        slider.vx, slider.vy = step % 40 < 20 and 50 or -50, -50
-      end
-    end
-  end,
-
   ["boxes that are put into the floor and each other"] = function(world)
     local deep = world:add("boxes", newBox(0, 284))
     local one = world:add("boxes", newBox(100, 284))
@@ -125,22 +83,42 @@ local PARTS = {
   end,
 }
 
+-- Scenes of the benchmark, and how many objects are in them.
+local SCENES = {
+  { "pile", 60 },
+  { "level", 150 },
+  { "gas", 60 },
+  { "balls", 60 },
+  { "lifts", 10 },
+  { "bullets", 60 },
+  { "asking", 40 },
+  { "rest-awake", 60 },
+  { "swarm-soft-kite", 30 },
+  { "spot-corner", 20 },
+  { "bulldozer", 40 },
+}
+
 describe("world:update of", function()
-  for name, fill in pairs(PARTS) do
-    for _, rest in ipairs(name == "a pile" and { true, false } or { true }) do
-      it(("%s allocates nothing, with rest = %s"):format(name, tostring(rest)), function()
-        local world = physics.newWorld({ gravity = 800, rest = rest })
-        world.onBegin, world.onStay, world.onEnd = nothing, nothing, nothing
-        world:add("tiles", static(-100, 300, 900, 20, { friction = name ~= "a pile" and 0 or nil }))
-        local act = fill(world) or nothing
-        local function play(step)
-          act(step)
-          world:update(1 / 60)
-        end
-        assert.equal(0, garbage.bytes(play, WARM_UP, MEASURED))
-      end)
+  small.rows("the scene {1} allocates nothing", SCENES, function(name, count)
+    local scene = scenes.build(name, count)
+    local world = ours.new(scene)
+    local function play(step)
+      scene.frame(world, step)
     end
-  end
+    assert.equal(0, garbage.bytes(play, 150, 50))
+  end)
+
+  small.each("{1} allocates nothing", PARTS, function(_, fill)
+    local world = physics.newWorld({ gravity = 800 })
+    world.onBegin, world.onStay, world.onEnd = nothing, nothing, nothing
+    world:add("tiles", static(-100, 300, 900, 20, { friction = 0 }))
+    local act = fill(world)
+    local function play(step)
+      act(step)
+      world:update(1 / 60)
+    end
+    assert.equal(0, garbage.bytes(play, WARM_UP, MEASURED))
+  end)
 
   -- Each is written to once: the same text made twice would be one.
   it("an object that the game places, sizes and filters again allocates no text either", function()

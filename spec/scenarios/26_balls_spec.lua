@@ -436,6 +436,24 @@ describe("radius and slope: a marble", function()
     near(438.25, one.x, 0.02)
     assert.equal(0, air)
   end)
+
+  small.rows("is in no hero that runs up to it from {1} px on", { 164, 172, 188 }, function(x)
+    local world, balls, deepest = physics.newWorld({ gravity = 900 }), {}, 0
+    world:add("ramps", tile(300, 300, 300, 100, { slope = "right" }))
+    world:add("ramps", tile(-400, 400, 1600, 40))
+    local hero = world:add("heroes", small.put(x, 370, 24, 30, { vx = 220 }))
+    for n = 1, 4 do
+      local fields = { restitution = 0.6 }
+      balls[n] = world:add("balls", ball(329 + 53 * n, 109 + 3 * n, 9 + 3 * n, fields))
+    end
+    small.run(world, 200, 60, function(step)
+      hero.vx = step < 100 and 220 or -220
+      for n = 1, 4 do
+        deepest = math.max(deepest, overlap.depth(hero, balls[n]))
+      end
+    end)
+    near(0, deepest, 0.1)
+  end)
 end)
 
 it("radius, strength and mass: a player pulls nothing that leaves it", function()
