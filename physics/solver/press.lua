@@ -10,8 +10,8 @@
 --
 --       ( )          1. PASSES over the rows, from below to above, those of immovable bodies last.
 --      ( )( )           Rows are the planes, and the contacts along an axis of the same bodies.
---     ( )( )( )         Without gravity pushes are EAGER times as long, but in the last two passes,
---   ##############      and planes up to LEFT slops deep are not pressed again.
+--     ( )( )( )         Without gravity pushes are EAGER times as long, but in the last two
+--   ##############      passes.
 --                    2. Immovable bodies come last: each body ends at the nearest place in front of
 --                       all that stop it (`leaveWalls`), which passes reach slowly. Then a body is
 --                       taken back to FURTHEST of its size and the way of its speed (`limit`).
@@ -29,9 +29,8 @@
 -- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `slant.tell`), of
 -- which passes take back a part that is too much. So 16 passes are enough for a heap that is 18
 -- bodies deep. Only bodies that are connected with a new or violated plane are solved again. A
--- solve presses several times: planes keep their pushes from call to call, and under gravity the
--- rows of axis contacts, too. (Where those of a floor began at 0, the part that a plane took back
--- lifted the ball off it.) Contacts along an axis are settled before and after.
+-- solve presses several times: planes keep their pushes from call to call. Contacts along an axis
+-- are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
 -- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
@@ -55,13 +54,6 @@ local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Passes over the rows, and those over the places after them.
 local PASSES, SHOCKS = 16, 6
--- Factor of each push but the last ones, where there is no gravity: many are pressed from outside
--- to inside, which takes many small pushes. (With 1.4 under gravity heaps explode.)
-local EAGER = 1.2
--- Slops, and px at most, by which passes may leave two in each other without gravity. Less is left
--- to later steps: after the first passes a few pairs of very many are always a little too deep.
--- (Without the bound large bodies stay 0.4 px in each other.)
-local LEFT, DEEPEST = 5, 0.12
 -- Up to this gap, px, two that were pushed under gravity touch: shocks lift them. (With 0.05 heaps
 -- do not rest; without a bound two that were 18 px apart touched.)
 local LIFTED = 0.2
@@ -86,8 +78,7 @@ end
 local function needsPress(b, c, ofAll)
   local s, dirty, stamp = b.slants, b.dirty, b.dirtyStamp
   local isChanged = ofAll or dirty[s.one[c]] == stamp or dirty[s.other[c]] == stamp
-  local most = b.isWeightless and min(LEFT * s.slop[c], DEEPEST) or 0.0
-  local isDeep = isChanged and depthOf(b, c) > max(s.slop[c], most)
+  local isDeep = isChanged and depthOf(b, c) > s.slop[c]
   return s.isNew[c] or isDeep and s.total[c] ~= 0
 end
 
@@ -129,10 +120,8 @@ local function addContact(b, list, n, c)
   end
   s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
-  local p = list.pair[n]
-  local isOld = not b.isWeightless and s.pushedAt[p] == b.solveStamp
-  s.pair[c], s.start[c], s.slop[c] = p, 0.0, EPSILON
-  s.push[c], s.impulse[c] = isOld and s.pushOf[p] or 0.0, isOld and s.impulseOf[p] or 0.0
+  s.pair[c], s.start[c], s.slop[c] = list.pair[n], 0.0, EPSILON
+  s.push[c], s.impulse[c] = 0.0, 0.0
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
   s.new[c - s.count] = c
   return true
@@ -207,17 +196,16 @@ end
 -- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
 -- of each row so far. A row whose bodies have left each other again takes its push back.
 local function sweep(b, column, sum, passCount, isOfSpeeds)
-  local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
+  local s = b.slants
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
   local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
-  for pass = 1, passCount do
-    local eager = pass < passCount - 1 and eagerness or 1.0
+  for _ = 1, passCount do
     for n = 1, s.rows do
       local c = order[n]
       if total[c] > 0 and (not isOfSpeeds or isFlush[c] or sum[c] > 0) then
         local k, m = 2 * one[c], 2 * other[c]
         local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
-        local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
+        local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c]
         local more = max(want, -sum[c])
         sum[c] = sum[c] + more
         if more ~= 0 then
@@ -330,12 +318,11 @@ local function accelerate(b, k, tau, most)
   path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
 end
 
--- Notes that slot i was pushed, once.
+-- Notes that slot i was pushed.
 local function note(b, i)
-  local k, m, dt, s = 2 * i, 2 * i + 1, b.dt, b.slants
-  local isNew = s.mark[i] ~= -s.stamp
-  s.mark[i], b.deflectedAt[i] = -s.stamp, b.solveStamp
-  if isNew and b.give[k] > 0 then
+  local k, m, dt = 2 * i, 2 * i + 1, b.dt
+  b.deflectedAt[i] = b.solveStamp
+  if b.give[k] > 0 then
     local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
     local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
     accelerate(b, k, tau, most)
@@ -348,10 +335,7 @@ local function noteAll(b)
   local s, inHeap = b.slants, b.heapWork.inHeap
   for n = 1, s.rows do
     local c = s.order[n]
-    local i, j, p = s.one[c], s.other[c], s.pair[c]
-    if c > s.count then
-      s.pushedAt[p], s.pushOf[p], s.impulseOf[p] = b.solveStamp, s.push[c], s.impulse[c]
-    end
+    local i, j = s.one[c], s.other[c]
     if s.isFlush[c] then
       note(b, i)
       note(b, j)

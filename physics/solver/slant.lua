@@ -59,7 +59,6 @@ function slant.begin(b)
     -- By how much they are pushed apart: places, kg px; speeds, kg px/s; places by shocks, kg px.
     s.push, s.impulse, s.lift = {}, {}, {}
     s.start = {} -- impulse with which the passes begin, see `weigh` in press
-    s.pushedAt, s.pushOf, s.impulseOf = {}, {}, {} -- by pair: the solve of these pushes, see press
     s.height, s.first, s.second, s.new = {}, {}, {}, {} -- the order, see `listRows` in press
     s.dx, s.dy, s.ex, s.ey, s.total = {}, {}, {}, {}, {} -- effects of a push of 1, see press
     -- Rows of press, in order; by slot, stamps: it is connected with something violated; it is
@@ -67,9 +66,7 @@ function slant.begin(b)
     -- slot: the last solve that it found no place in front of all its walls.
     s.rows, s.walledCount, s.order, s.mark = 0, 0, {}, {}
     s.wallsAt, s.walled, s.firstWall, s.nextWall, s.viceAt = {}, {}, {}, {}, {}
-    -- By slot: when something immovable touched it slanted as a step began; when it was first met
-    -- by something immovable, and in which plane.
-    s.leansAt, s.firstAt, s.firstOf = {}, {}, {}
+    s.leansAt = {} -- by slot: when something immovable touched it slanted as a step began
   end
   s.count, s.kept = 0, 0
 end
@@ -127,12 +124,12 @@ local function mayPress(b, i, j)
   return b.give[2 * i] + b.give[2 * j] > 0 and min(b.power[i], b.power[j]) < huge
 end
 
--- Makes plane c, or a new one, of pair p.
-local function put(b, c, p, nx, ny, least, time)
+-- Makes a plane of pair p, which closes at u px/s.
+local function put(b, p, nx, ny, least, time, u)
   local s, i, j = b.slants, slotsOf(b, p)
-  s.count = max(s.count, c)
-  s.pair[c], s.one[c], s.other[c], s.nx[c], s.ny[c], s.least[c] = p, i, j, nx, ny, least
-  s.time[c], s.speed[c], s.slop[c] = time, 0.0, ball.slop(b, i, j)
+  local c = s.count + 1
+  s.count, s.pair[c], s.one[c], s.other[c], s.nx[c], s.ny[c], s.least[c] = c, p, i, j, nx, ny, least
+  s.time[c], s.speed[c], s.slop[c] = time, u, ball.slop(b, i, j)
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), b.rank[i], b.rank[j]
   s.push[c], s.impulse[c], s.total[c], s.isNew[c], s.isFlush[c] = 0.0, 0.0, 1.0, true, false
   s.start[c] = b.lastImpulse[p]
@@ -145,31 +142,6 @@ local function noteHit(b, p, nx, ny, time, speed)
   impact.note(b, p, isLow and i or j, axis, speed, time)
 end
 
--- Adds a pair that is apart and meets at moment `time`. Of the immovable ones that a body meets
--- only the first one counts in this call of `find`: that turns the body, so that it may not come to
--- the others (as to the seam of two tiles). Returns whether the pair was added.
-local function putFirst(b, p, nx, ny, least, time, speed)
-  local i, j = slotsOf(b, p)
-  if b.contact[p] == 0 and time < 1 then
-    noteHit(b, p, nx, ny, time, speed) -- while the paths still lead there
-  end
-  local s, mover = b.slants, b.give[2 * i] == 0 and j or b.give[2 * j] == 0 and i or 0
-  local c = mover > 0 and s.firstAt[mover] == s.stamp and s.firstOf[mover]
-  if c then
-    local was, wall = s.one[c] + s.other[c] - mover, i + j - mover
-    if time > s.time[c] or time == s.time[c] and b.rank[wall] > b.rank[was] then
-      return false
-    end
-    b.touches[s.pair[c]] = APART
-  else
-    c = s.count + 1
-    s.firstAt[mover], s.firstOf[mover] = s.stamp, c
-  end
-  put(b, c, p, nx, ny, least, time)
-  s.speed[c] = speed
-  return true
-end
-
 --- Makes a plane of pair p, which touches or overlaps where the step begins, if it is slanted.
 --- Returns whether it is.
 function slant.takes(b, p)
@@ -178,15 +150,14 @@ function slant.takes(b, p)
     return false
   end
   local gap, nx, ny = gapIn(b, b.from, i, j)
-  local u, slop, c = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j), b.slants.count + 1
+  local u, slop = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j)
   local bounces = gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u)
   local isFar = gap > EPSILON or gap < -LOST * ball.smallest(b, i, j)
   if bounces or isFar or passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
   local target = gap < -slop and -slop + (gap + slop) * (1 - PACE) or min(gap, 0.0)
-  put(b, c, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0)
-  b.slants.speed[c] = u
+  put(b, p, nx, ny, along(b.from, i, j, nx, ny) - gap + target, 0.0, u)
   if b.give[2 * i] == 0 or b.give[2 * j] == 0 then
     b.slants.leansAt[b.give[2 * i] == 0 and j or i] = b.solveStamp
   end
@@ -231,8 +202,11 @@ local function findPair(b, p)
   if isElastic(b, i, j, u) or passes(b, p, i, j, nx, ny, false) then
     return false
   end
-  local least = along(b.from, i, j, nx, ny) - gap
-  return putFirst(b, p, nx, ny, least, time, max(u, 0.0))
+  if b.contact[p] == 0 and time < 1 then
+    noteHit(b, p, nx, ny, time, max(u, 0.0)) -- while the paths still lead there
+  end
+  put(b, p, nx, ny, along(b.from, i, j, nx, ny) - gap, time, u)
+  return true
 end
 
 --- Makes planes of the pairs that are apart where the step begins and will meet slanted. Returns
@@ -241,8 +215,7 @@ end
 function slant.find(b, isFirst)
   pairFinder.run(b, b.awakeList, b.awakeCount, pairFinder.REACH)
   local live, touches, pairA, pairB, hasNew = b.live, b.touches, b.pairA, b.pairB, false
-  local s, stamp, leansAt = b.slants, b.solveStamp, b.slants.leansAt
-  s.stamp = s.stamp + 1
+  local stamp, leansAt = b.solveStamp, b.slants.leansAt
   for n = 1, b.liveCount do
     local p = live[n]
     local i, j = pairA[p], pairB[p]
@@ -258,7 +231,7 @@ end
 function slant.meet(b, p, t)
   local i, j = slotsOf(b, p)
   local gap, nx, ny, x, y = ball.gapNow(b, i, j, t)
-  put(b, b.slants.count + 1, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t)
+  put(b, p, nx, ny, x * nx + y * ny - min(gap, 0.0), t, 0.0)
 end
 
 --- Makes planes of the pairs, also of boxes, that were apart when the step began and end in each

@@ -55,8 +55,8 @@ local LATE = 12
 local RESTARTS = 8
 -- How often boxes are clipped: one that was stopped is in the way of others.
 local CLIPS = 8
--- How often slanted contacts are solved, and corners corrected, before the first round.
-local PRESSES, NUDGES = 3, 4
+-- How often slanted contacts are solved before the first round.
+local PRESSES = 3
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
@@ -82,10 +82,7 @@ end
 
 -- Nudges bodies that are pressed against a corner, and settles again from their new places.
 local function nudgeTouching(b, dt)
-  for _ = 1, NUDGES do
-    if not nudge.run(b) then
-      return
-    end
+  if nudge.run(b) then
     pairFinder.run(b, b.awakeList, b.awakeCount)
     flow.begin(b)
     flow.reset(b, 0, dt)
