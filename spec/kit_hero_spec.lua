@@ -113,17 +113,6 @@ local function read(text)
   return values
 end
 
-local function check(expected, found, what)
-  if type(expected) == "table" then
-    local isBetween = found >= expected[1] and found <= expected[2]
-    assert(isBetween, ("%s is %s"):format(what, tostring(found)))
-  elseif type(expected) == "number" then
-    assert.near(expected, found, 1e-6, what)
-  else
-    assert.equal(expected, found, what)
-  end
-end
-
 describe("examples/kit/hero.lua: a hero", function()
   for row in ROWS:gsub("\n  |", " |"):gmatch("[^\n]+") do
     local parts = {}
@@ -138,7 +127,7 @@ describe("examples/kit/hero.lua: a hero", function()
       end
       local player, seen = play(read(settings), objects, keys, tonumber(frames), read(start))
       for name, value in pairs(read(expected)) do
-        check(value, player[name] or seen[name], name)
+        kit.check(value, player[name] or seen[name], name)
       end
       assert.equal(0, seen.crushed)
     end)

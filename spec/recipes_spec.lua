@@ -1,5 +1,6 @@
 --- Each recipe of docs/recipes.md does what it says, played by keys as in a game.
 
+local kit = require("spec.support.kit")
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
 local states = require("spec.support.states")
@@ -48,23 +49,7 @@ end
 -- `rise`, how far it rose, and by the name of a group, `boxes` or `boxes2`, fields of its first or
 -- second object, or NIL: there is none. A number is exact, a list of two numbers holds it between
 -- them, NIL stands for nil. Last: a group, and what is added to it before, or taken out.
-local NIL = {}
-
-local function check(expected, found, what)
-  if type(expected) == "table" and expected[2] then
-    local isBetween = type(found) == "number" and found > expected[1] and found < expected[2]
-    assert(isBetween, ("%s is %s"):format(what, tostring(found)))
-  elseif type(expected) == "number" then
-    assert.near(expected, found, 1e-6, what)
-  else
-    local isSwitch = type(expected) == "boolean"
-    local wanted = expected
-    if expected == NIL then
-      wanted = nil
-    end
-    assert.equal(wanted, isSwitch and not not found or found, what)
-  end
-end
+local check, NIL = kit.check, kit.NIL
 
 local function playRow(game, row, what)
   local player = game.player

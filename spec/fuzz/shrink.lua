@@ -138,17 +138,6 @@ function Shrinker:round(path, key)
   return false
 end
 
--- The same acts at one steady rate, and every number of a group turned into a name.
-function Shrinker:calm()
-  local case = copyOf(self.case)
-  for _, act in ipairs(case.acts) do
-    if act[1] == "update" then
-      act[2] = 1 / 64
-    end
-  end
-  return self:try(case)
-end
-
 -- The acts of a callback, done at once by the game instead, or fewer of them.
 function Shrinker:dropReactions()
   local any = false
@@ -181,8 +170,6 @@ function shrink.run(case, failure, seconds, run)
   while again and os.clock() < self.deadline do
     again = self:dropActs()
     again = self:dropReactions() or again
-    again = self:calm() and not self.isCalm or again
-    self.isCalm = true
     again = self:eachField(self.drop) or again
     again = self:eachField(self.round) or again
   end

@@ -1,4 +1,4 @@
---- Proves that lifts, belts and slopes carry and let go as worked out by hand, after every step.
+--- Proves that belts and slopes carry and let go as worked out by hand, after every step.
 --- The scenes are random, at several rates and with irregular steps; the formulas are those of the
 --- laws, and share nothing with the library (spec/support/oracle.lua).
 
@@ -6,45 +6,10 @@ local oracle = require("spec.support.oracle")
 local some = oracle.some
 
 local class, EXACT = oracle.newClass(it), oracle.EXACT
-local timeTo, braked = oracle.timeTo, oracle.braked
+local braked = oracle.braked
 local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
 describe("kinematic and surfaceSpeed: known by hand, a box", function()
-  -- Lifts and slopes
-
-  class("rides a lift, and jumps off it with its speed", EXACT, function(s)
-    local g, u, w, jump = s:draw(300, 1200, -200, 200, -150, 150, 100, 400)
-    local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vx = u, vy = w }
-    s.world:add("lifts", lift)
-    local b = s:stand({ x = 0 })
-    s:play(0.5)
-    local x0 = b.x - lift.x
-    s:play(0.5, function()
-      s:near("x on the lift", x0, b.x - lift.x)
-      s:near("y on the lift", 0, lift.y - b.y - b.height)
-    end)
-    b.vy = -jump
-    -- In the air u is kept; seen from the lift it goes straight up and comes down again.
-    s:play(1, function(t)
-      s:near("height over the lift", max(jump * t - g * t * t / 2, 0), lift.y - b.y - b.height)
-      s:near("x on the lift", x0, b.x - lift.x)
-    end)
-  end)
-
-  class("falls on a lift and rides it", EXACT, function(s)
-    local g, h, w = s:draw(300, 1200, 10, 200, -150, 150)
-    local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vy = w }
-    s.world:add("lifts", lift)
-    local b = s:box({ x = 0, y = 0 })
-    b.y = -h - b.height
-    -- Seen from the lift it has w px/s upwards.
-    local moment = timeTo(h, -w, g)
-    s:play(1, function(t)
-      local height = t < moment and h + w * t - g * t * t / 2 or 0
-      s:near("height over the lift", height, lift.y - b.y - b.height)
-    end)
-  end)
-
   class("lies on a belt that stands upright, under sideways gravity", EXACT, function(s)
     local g, mu, v, u = s:draw(300, 1200, 0.05, 1, -300, 300, -200, 200)
     s:set({ gravity = 0, gravityX = g })

@@ -130,8 +130,7 @@ end
 ---`startsInside`: many of them start inside others, or in pillars
 ---@return table crowd `world`, `player`, `enemies`, `objects` (all of them)
 function crowds.new(options)
-  local settings = small.set({ gravity = 0 }, options.settings)
-  local self = setmetatable({ world = physics.newWorld(settings), time = 0 }, Crowd)
+  local self = setmetatable({ world = physics.newWorld({ gravity = 0 }), time = 0 }, Crowd)
   self.goal, self.drive = options.goal, options.drive
   self.objects, self.enemies, self.speeds = {}, {}, {}
   addPlayer(self, options.goal)

@@ -1,4 +1,5 @@
---- Scenes for the files of examples/kit: a floor at y 400, gravity 1600, and keys as text.
+--- Scenes for the files of examples/kit: a floor at y 400, gravity 1600, keys as text, and what is
+--- expected.
 
 local physics = require("physics")
 local small = require("spec.support.small")
@@ -6,6 +7,8 @@ local small = require("spec.support.small")
 local kit = {}
 
 local DT = 1 / 60
+
+kit.NIL = {} -- stands for nil where something is expected
 
 --- Returns a world with a floor, and objects: `{ { group, x, y, width, height, fields }, … }`.
 function kit.world(objects, settings)
@@ -30,6 +33,26 @@ function kit.keys(text)
       held[span.key] = held[span.key] or (frame >= span.first and frame <= span.last)
     end
     return held
+  end
+end
+
+--- Compares what is expected: a number within 1e-6, two numbers hold it between them, a boolean
+--- says whether something is there.
+function kit.check(expected, found, what)
+  if type(expected) == "table" and expected[2] then
+    local isBetween = type(found) == "number" and found >= expected[1] and found <= expected[2]
+    assert(isBetween, ("%s is %s"):format(what, tostring(found)))
+  elseif type(expected) == "number" then
+    local isNear = type(found) == "number" and math.abs(found - expected) <= 1e-6
+    assert(isNear, ("%s is %s, not %g"):format(what, tostring(found), expected))
+  else
+    local wanted, is = expected, found
+    if expected == kit.NIL then
+      wanted = nil
+    elseif type(expected) == "boolean" then
+      is = not not found
+    end
+    assert(wanted == is, ("%s is %s"):format(what, tostring(found)))
   end
 end
 
