@@ -227,8 +227,8 @@ describe("radius: a heap of balls", function()
     end)
   end
 
-  -- The belt leads to a wall: they stand, though it runs on under them. (The last one was shaken off
-  -- by 0.1 px again and again.)
+  -- The belt leads to a wall: they stand, though it runs on under them. (The last one was shaken
+  -- off by 0.1 px again and again.)
   local rows = { { 6, 2 }, { 5, 21 } }
   small.rows("that waits on a belt rests: from {1} px on", rows, function(smallest, seed)
     local world, random = physics.newWorld({ gravity = 800 }), newRandom(seed)
