@@ -153,7 +153,7 @@ describe("every field: a new one needs one row, and a line where it acts: it is"
       twin:update(1 / 10)
       assert.same({ 400, -20 }, { twin.objects.balloons[1].lift, twin.objects.balloons[1].vy })
       state.fields[1].lift = "up"
-      refuses('objects.balloons[1].lift must be a number >= 0, got "up"', twin.restore, twin, state)
+      refuses('state.fields[1].lift must be a number >= 0, got "up"', twin.restore, twin, state)
     end)
   end)
 

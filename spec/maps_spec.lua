@@ -287,7 +287,7 @@ describe("loadTiled: a map without a wall", function()
   end
   local TEXT = "no part of the map is solid: if that is wrong, write %s; its layers are %s"
   local FOUND =
-    TEXT:format('solidLayers = { "main" }', '"backdrop", "stuff", "main", "floor", "things"')
+    TEXT:format("solidLayers = { NAME }", '"backdrop", "stuff", "main", "floor", "things"')
 
   it("is loaded, and says what to write; in a checked world in a line, too", function()
     local lines, level = printed(function()
@@ -310,7 +310,7 @@ describe("loadTiled: a map without a wall", function()
   end)
 
   it("and without tiles says so of its objects", function()
-    local text = TEXT:format('solidLayers = { "things" }', '"things"')
+    local text = TEXT:format("solidLayers = { NAME }", '"things"')
     assert.same({ text, "" }, { reasonsOf((load(things(newBox())))), reasonsOf((load(things()))) })
   end)
 
@@ -319,14 +319,15 @@ describe("loadTiled: a map without a wall", function()
     rocks.gridTiles =
       { { px = { 16, 0 }, t = 7 }, { px = { 32, 0 }, t = 0 }, { px = { 48, 0 }, t = 7 } }
     local level = loadLDtk({ rocks })
-    assert.equal(TEXT:format('kinds = { Rocks = "static" }', '"Rocks"'), reasonsOf(level))
+    local cure = 'solid = { VALUE = true }, or kinds = { LAYER = "static" }'
+    assert.equal(TEXT:format(cure, '"Rocks"'), reasonsOf(level))
     local solid, world = loadLDtk({ rocks }, { kinds = { Rocks = "static" } })
     assert.same({ "16 0 32 16" }, tiled.boxes(world, "Rocks"))
     assert.equal("Rocks: option kinds", solidOf(solid))
     local tiles = solid.tileLayers.Rocks
     assert.same({ -1, 7, 0 }, { tiles:getTile(0, 0), tiles:getTile(1, 0), tiles:getTile(2, 0) })
     level = loadLDtk({ ldtk.intGrid("Cells", { "1" }) }, nil, { "water", "wall" })
-    assert.equal(TEXT:format('solid = { ["water"] = true }', '"Cells"'), reasonsOf(level))
+    assert.equal(TEXT:format(cure, '"Cells"'), reasonsOf(level))
   end)
 end)
 

@@ -78,8 +78,6 @@ describe("world.objects", function()
     end
     assert.equal("cab", orderOf({ order = { "c", "a" } }))
     assert.equal("bac", orderOf({ order = { "b" } }))
-    world.order = { "c" }
-    assert.equal("c", world:queryRect(0, 0, 99, 9)[1].name)
     world.order = nil
     assert.equal("abc", orderOf({}))
   end)

@@ -47,7 +47,6 @@ local filter = require(root .. ".broadphase.filter")
 local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
 local read = require(root .. ".objects.read")
 local registry = require(root .. ".objects.registry")
-local settings = require(root .. ".objects.settings")
 local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
 
@@ -124,7 +123,6 @@ end
 
 -- Takes over new groups, and the objects in them. Static ones are filed here.
 local function lookAtGroups(b, world)
-  settings.applyOrder(world)
   if b.isSeen and not registry.hasChanged(b.registry, world.objects) then
     return
   end
