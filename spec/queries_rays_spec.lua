@@ -244,6 +244,18 @@ describe("sweep", function()
     end
   end)
 
+  it("tells what it overlaps before a floor on which it stands, in any order", function()
+    for _, names in ipairs({ { "floor", "crate" }, { "crate", "floor" } }) do
+      local world = still()
+      local place = { floor = { 0, 10, 40, 10 }, crate = { 5, 0, 10, 10 } }
+      for _, name in ipairs(names) do
+        world:add("walls", tile(small.unpack(place[name]))).name = name
+      end
+      local other, x, y, nx, ny = world:sweep(world:add("a", sized(0, 0, 10, 10)), 0, 20)
+      assert.are.same({ "crate", 0, 0, 0, 0 }, { other.name, x, y, nx, ny })
+    end
+  end)
+
   it("passes what it cannot meet", function()
     for _, row in ipairs({
       -- fields of the wall, of what goes there, of the world

@@ -4,7 +4,7 @@
 -- Objects with fat boxes that meet, directly or through others, form an island:
 --
 --      [a][b]   [c]            {a, b} and {c} are islands. They have a static ground in common, but
---      ////////////            an island does not go on through it: it passes nothing on.
+--      ////////////            it joins no islands, as it passes nothing on.
 --
 -- A step computes the new state of an island from its old state and from its surroundings, and from
 -- nothing else. So if the last step changed no bit of an island, nothing in it has any speed, and
@@ -25,7 +25,8 @@
 --                    same, unless it is buried and not stuck yet.
 --     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
 --                    carrier (`carriers.noteJump`)
---     isPolled       one of its contacts asks for `onStay` (events) or `canCollide` (rules)
+--     isPolled       one of its contacts, or the world, asks for `onStay` (events) or `canCollide`
+--                    (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
 --
 -- `islands.settle` puts an island to sleep if all its bodies are quiet, its awake kinematic

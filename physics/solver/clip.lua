@@ -12,15 +12,17 @@
 --
 -- Where the box began the step, it was in the half-planes of all objects that stand still. So there
 -- always is such a point: objects that stand still do not crush the box, and it ends in none of
--- them. If two faces close on each other, the box is left to `squeeze` in settle.lua: machines do
--- crush.
+-- them. If two faces close on each other, the attempt fails; if all do, the box is left to
+-- `squeeze` in settle.lua: machines do crush.
 --
 -- A box that was clipped is pushed nowhere in this step. Others that are in its way are clipped,
 -- too: it is a wall for them, but only on the sides on which faces stop it (not `loose`).
 --
--- Walls are found one by one: the nearest point (space/planes.lua), the wall in which the box would
--- be deepest there, its face, and again, at most MOST times. If there is no such point, fewer walls
--- count in further attempts (`counting`): the others give way, or crush.
+-- The list begins with the objects that the box touches, also through others (`addRoom`). Further
+-- walls are found one by one: the nearest point (space/planes.lua), the wall in which the box would
+-- be deepest there, its face, and again, at most MOST times; a wall that the box was not in front
+-- of ends the attempt. If there is no such point, fewer walls count in further attempts
+-- (`counting`): the others give way, or crush.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local boxes = require(root .. ".space.boxes")
@@ -126,7 +128,7 @@ local function face(b, i, j, x, y, t)
   return touch.face(b, i, j, x, y, ox, oy, b.size)
 end
 
--- Whether slot j, of pair p, stops box i, and does not give way.
+-- Whether slot j, of pair p, stops box i, and does not give way (round and one-way objects: never).
 local function isWall(b, p, i, j)
   local isFirm = b.kind[j] == STATIC or b.kind[j] == KINEMATIC and counting < FIXED
   return isFirm and not isRound[b.shape[j]] and not b.passing[p] and filter.blocks(b, i, j)
@@ -220,7 +222,7 @@ end
 
 -- Clipping ----------------------------------------------------------------------------------------
 
--- Notes that half-plane n, if it is an edge, is a wall for box i, too: it is in a corner.
+-- In a corner an edge, half-plane n, also stops box i across gravity: notes that side as pressed.
 local function block(b, i, n)
   local t = 1 - AXIS[
     side[n] --[[@as integer]]
@@ -303,20 +305,23 @@ local function clipOne(b, i)
   return false
 end
 
--- Clips the ways of all that need it. Returns whether there were any.
+-- Clips the ways of all boxes, none of them buried, that are squeezed. Returns whether there were
+-- any. (All are found before the first is clipped: the order of the awake bodies has no say.)
 local function clipAll(b)
-  local hasRoom, hasClipped = false, false
+  local list, count, hasClipped = b.clipWork.list, 0, false
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
     if isMovable and isSqueezed(b, i) then
-      if not hasRoom then
-        findRoom(b, 0)
-        findRoom(b, 1)
-        hasRoom = true
-      end
-      hasClipped = clipOne(b, i) or hasClipped
+      count = count + 1
+      list[count] = i
     end
+  end
+  for axis = 0, count > 0 and 1 or -1 do
+    findRoom(b, axis)
+  end
+  for n = 1, count do
+    hasClipped = clipOne(b, list[n]) or hasClipped
   end
   return hasClipped
 end
