@@ -55,8 +55,6 @@ local EPSILON = constants.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of attempts in which bonds may break, and of all attempts (see bonds.lua).
 local TEARS, ATTEMPTS = 2, 4
--- px by which a squeezed body may overlap the body that bears it, and still rub on it.
-local SQUEEZED = 0.01
 
 --- Returns the coefficient of friction of a pair: the geometric mean of both. If a body has no
 --- coefficient of its own (an immovable body may have none), the other body's counts.
@@ -116,7 +114,7 @@ local function findSupports(b, list, axis)
       local k, m = up[c], low[c]
       local over = (to[k] - to[m]) * sign + list.separation[c]
       bearing[c] = sign < 0 and bearing[c] or 0
-      local isFlush = over <= SQUEEZED and over >= -EPSILON
+      local isFlush = over <= EPSILON and over >= -EPSILON
       if bearing[c] == 0 and isFlush and leans(b, list, k, m, sign) then
         local tk, tm = k + across, m + across
         bearing[c] = sign

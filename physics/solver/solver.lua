@@ -106,16 +106,15 @@ local function settleLate(b, dt, isFirst)
 end
 
 -- Solves the slanted contacts of round bodies, and settles the bodies again that were pushed there.
--- `isFirst`: nothing was swept yet, so that pairs may be added. (Without gravity they are solved
--- once more where walls have moved bodies back. Under gravity heaps would rest later.)
+-- `isFirst`: nothing was swept yet, so that pairs may be added.
 local function pressRound(b, dt, isFirst)
-  for n = 1, b.hasRound and (isFirst and PRESSES or b.isWeightless and 2 or 1) or 0 do
+  for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
     local hasNew = isFirst and slant.find(b, n == 1)
     if hasNew or press.isNeeded(b, isFirst) then
       press.run(b, isFirst)
       b.mustSettle = true -- so that contacts are exactly flush again
       settleLate(b, dt, false)
-    elseif n > 1 or not isFirst then
+    elseif n > 1 then
       return
     end
   end
