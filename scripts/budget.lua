@@ -14,7 +14,7 @@ local BUDGET = {
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
   { "physics/maps", 2398 },
-  { "physics/memory", 760 },
+  { "physics/memory", 775 },
   { "physics/motion", 982 },
   { "physics/narrowphase", 573 },
   { "physics/objects", 1296 },

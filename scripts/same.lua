@@ -55,7 +55,7 @@ for _, row in ipairs(scenes.list) do
   end
 end
 for n = 1, GAMES do
-  local kind = n % 3 == 0 and "sloped" or "case"
+  local kind = n % 3 == 0 and "sloped" or n % 3 == 1 and "crowded" or "case"
   local name = kind .. " " .. n
   if name:find(filter, 1, true) then
     playGame(name, require("spec.fuzz." .. kind).new(n, FRAMES))

@@ -152,6 +152,10 @@ describe("every function: an error", function()
     { { mask = { [true] = false } }, ".mask must have group names as keys, got true" },
     { { y = NAN, width = -1, friction = "x" }, ".y must be a number, got nan" }, -- the first one
     {
+      { width = 8, height = 8, radius = 4, slope = "left" },
+      '.slope must be nil where there is a radius, got "left"',
+    },
+    {
       { slope = "left" },
       '.slope must be nil for a dynamic object (set static = true or kinematic = true), got "left"',
     },

@@ -76,7 +76,15 @@ end
 function allot.new()
   local b = {}
   initial.begin(b)
-  add(b, layout.LISTS)
+  add(b, layout.FIRST)
+  return b
+end
+
+-- Makes the columns, when the first object comes.
+local function make(b)
+  b.fatLow, b.fatHigh = nil, nil -- they become columns
+  add(b, layout.OTHERS)
+  initial.addWork(b)
   for _, rows in ipairs({ EVERY, BODY, layout.PAIR, layout.LINKS }) do
     add(b, rows.names)
     b.reserved[rows] = 0
@@ -84,9 +92,6 @@ function allot.new()
   end
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
   b.size[0], b.size[1] = -1, -1
-  b.lastBody, b.slots = ROOM, ROOM
-  prepare(b, EVERY, ROOM)
-  return b
 end
 
 -- Takes a slot behind `lastBody`. (Of the free ones some may be in front of it by now.)
@@ -213,10 +218,16 @@ end
 --- Takes a slot for a new object and returns it. All its columns have their initial values.
 --- `coming`: it is the first of so many.
 function allot.claim(b, isStatic, coming)
+  if not b.object then
+    make(b)
+  end
   b.count = b.count + 1
   if not isStatic then
     makeRoom(b, coming)
     return takeBody(b, coming)
+  elseif b.lastBody == math.huge then
+    b.lastBody, b.slots = b.lastUsed + ROOM, b.lastUsed + ROOM
+    prepare(b, EVERY, b.lastBody)
   end
   return takePlace(b, coming)
 end

@@ -3,7 +3,7 @@
 --
 -- Compiled code reads a typed array without checks of type and length, and has whole numbers at
 -- once as indexes. Piles, levels and bullets take 0.7 of the time, crowds 0.9. Interpreted code
--- takes longer. So this is chosen when the first world is made: a game that turns the compiler off
+-- takes longer. So this is chosen when the first object comes: a game that turns the compiler off
 -- must do so before that.
 --
 -- A typed array has a length: to grow, a column becomes another array. So nothing may hold a column

@@ -31,6 +31,7 @@ leftOut.specs = {
   ["world:move leaves no garbage with a list of its own"] = MEMORY,
   ["queryPoint, queryRect, querySegment and overlapping leave no garbage, nor do the others"] = MEMORY,
   ["queryRect and the others may be asked inside canCollide and inside events; only in these it may be moved"] = CLOSURES,
+  ["loadTiled and loadLDtk: a damaged one of LDtk is refused or whole"] = LEVELS,
   ['world:loadLDtk refuses layerInstances.2.__pxTotalOffsetX: layer "Collisions": the right edge must be a number, got nan'] = LEVELS,
   ["every function: the line that an error names is the third level's where there is no debug library #files"] = LEVELS,
   ["remove: what is gone leaves its columns to what comes later"] = MEMORY,
