@@ -274,6 +274,39 @@ describe("radius, pushable and strength: what presses to", function()
     end
   end)
 
+  -- Enemies pass neither each other in the lane nor the player. (They were 0.45 px in it.)
+  --
+  --    |@@ @|      walls at 0 and 58, enemies with a radius of 7, 11 or 17 px, the player with 13
+  --    | P ^|
+  it("a strong round player in a lane is never in it", function()
+    local world, random, list = physics.newWorld({ gravity = 0 }), newRandom(1), {}
+    for x = -24, 58, 82 do
+      world:add("walls", { x = x, y = 0, width = 24, height = 900, static = true })
+    end
+    local player = { x = 32, y = 760, radius = 13, strength = 1, mass = 10 }
+    world:add("players", player)
+    for n = 1, 24 do
+      local r = random:pick({ 7, 11, 17 })
+      local x = 58 - 2 * r - random:between(0, 58 - 2 * r)
+      list[n] = { x = x, y = 700 - n * 36 - r, radius = r, mass = r * r / 100 }
+      world:add("enemies", list[n])
+    end
+    for frame = 1, 90 do
+      player.vy = frame > 30 and frame < 75 and -150 or 0
+      for _, enemy in ipairs(list) do
+        local dx, dy =
+          player.x + 13 - enemy.x - enemy.radius, player.y + 13 - enemy.y - enemy.radius
+        local share = 80 / math.max(1, math.sqrt(dx * dx + dy * dy))
+        enemy.vx, enemy.vy = dx * share, dy * share
+      end
+      world:update(1 / 30)
+      for _, enemy in ipairs(list) do
+        local depth = overlap.depth(enemy, player)
+        assert.is_true(depth < 0.3, ("frame %d: %g px"):format(frame, depth))
+      end
+    end
+  end)
+
   -- seed, number, squares to the first of them, share of circles, strength
   for _, row in ipairs({ { 48, 36, 2 }, { 188, 20, 1, 0.4 }, { 188, 20, 1, 0.4, 1 } }) do
     local goal = row[5] and "heavy" or "firm"
