@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 617 },
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
-  { "physics/maps", 2398 },
+  { "physics/maps", 2402 },
   { "physics/memory", 775 },
   { "physics/motion", 982 },
   { "physics/narrowphase", 573 },

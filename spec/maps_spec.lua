@@ -287,7 +287,7 @@ describe("loadTiled: a map without a wall", function()
   end
   local TEXT = "no part of the map is solid: if that is wrong, write %s; its layers are %s"
   local FOUND =
-    TEXT:format("solidLayers = { NAME }", '"backdrop", "stuff", "main", "floor", "things"')
+    TEXT:format('solidLayers = { "NAME" }', '"backdrop", "stuff", "main", "floor", "things"')
 
   it("is loaded, and says what to write; in a checked world in a line, too", function()
     local lines, level = printed(function()
@@ -310,7 +310,7 @@ describe("loadTiled: a map without a wall", function()
   end)
 
   it("and without tiles says so of its objects", function()
-    local text = TEXT:format("solidLayers = { NAME }", '"things"')
+    local text = TEXT:format('solidLayers = { "NAME" }', '"things"')
     assert.same({ text, "" }, { reasonsOf((load(things(newBox())))), reasonsOf((load(things()))) })
   end)
 
@@ -319,7 +319,7 @@ describe("loadTiled: a map without a wall", function()
     rocks.gridTiles =
       { { px = { 16, 0 }, t = 7 }, { px = { 32, 0 }, t = 0 }, { px = { 48, 0 }, t = 7 } }
     local level = loadLDtk({ rocks })
-    local cure = 'solid = { VALUE = true }, or kinds = { LAYER = "static" }'
+    local cure = 'solid = { ["VALUE"] = true }, or kinds = { ["LAYER"] = "static" }'
     assert.equal(TEXT:format(cure, '"Rocks"'), reasonsOf(level))
     local solid, world = loadLDtk({ rocks }, { kinds = { Rocks = "static" } })
     assert.same({ "16 0 32 16" }, tiled.boxes(world, "Rocks"))

@@ -308,14 +308,19 @@ describe("world:loadTiled, packed layers", function()
   end)
 
   small.each("are named if nothing can unpack them: {1}", {
-    ["encoded data (base64): "] = packed(nil, "AA$="),
-    ["encoded data (zlib, base64): "] = packed("zlib", "AAA"),
+    ["encoded data (zlib, base64): "] = packed("zlib", "AAAA"),
     ["encoded data (zstd, base64): "] = packed("zstd"),
     ["encoded data (csv): "] = packed(nil, "1,0,5", "csv"),
   }, function(expected, map)
     assert.equal("! ground: " .. expected .. REASON, show(load(map)))
     know("", BYTES)
     assert.equal("! ground: " .. expected .. REASON, show(load(map)))
+  end)
+
+  small.rows("are refused, if they are no base64: {1}", { "AA$=", "AAA" }, function(data)
+    local words = 'world:loadTiled(map): layer "ground": data must be base64, got "%s"'
+    small.refuses(words:format(data), load, packed(nil, data))
+    small.refuses(words:format(data), load, packed("zlib", data))
   end)
 
   small.each("are refused: {1}", {

@@ -78,6 +78,9 @@ describe("world.objects", function()
     end
     assert.equal("cab", orderOf({ order = { "c", "a" } }))
     assert.equal("bac", orderOf({ order = { "b" } }))
+    world.order = { "c" } -- (`orderOf` adds an object)
+    world:update(0)
+    assert.equal("c", world:queryRect(-1e3, -1e3, 2e3, 2e3)[1].name)
     world.order = nil
     assert.equal("abc", orderOf({}))
   end)

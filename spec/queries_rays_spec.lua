@@ -168,6 +168,13 @@ describe("raycast: the corner at which two tiles touch", function()
     assert.equal(one, (world:raycast(326, 6, 306, 26)))
   end)
 
+  local CORNERS = { { "left", 15 }, { "right", -5 } }
+  small.rows("passes the empty corner of a slope: {1}", CORNERS, function(slope, x)
+    local world = still()
+    world:add("slopes", sized(0, 0, 10, 10, { slope = slope, static = true }))
+    assert.is_nil((world:raycast(x, 20, 5, -5)))
+  end)
+
   it("lets through what passes one tile alone, or the filter says so", function()
     local world = still()
     local one, other = tile(300, 0, 16, 16), tile(316, 16, 16, 16)

@@ -35,6 +35,37 @@ describe("every setting:", function()
     assert.near(0.5 * 100 * 0.25, box.x, 1e-9)
   end)
 
+  it("push first: what runs into the other is put back alone, velocities are shared", function()
+    for _, row in ipairs({ { "both", 46 }, { "first", 44 } }) do
+      local world = physics.newWorld({ gravity = 0, push = row[1], maxStep = 0.25 })
+      local a = world:add("boxes", newBox(40, 0, { vx = 32 })) -- 8 px a step
+      local b = world:add("boxes", newBox(60, 0))
+      world:update(0.25)
+      assert.near(row[2], a.x, 1e-9)
+      assert.near(row[2] + 16, b.x, 1e-9)
+      assert.same({ 16, 16 }, { a.vx, b.vx })
+    end
+  end)
+
+  it("broadphase, cellSize and rest may change in mid-air, and change nothing", function()
+    local changes, hashes = { [20] = { broadphase = "grid" }, [40] = { cellSize = 11 } }, {}
+    changes[60], changes[200] = { broadphase = "auto" }, { rest = false }
+    for n = 1, 2 do
+      local world = physics.newWorld({ gravity = 800, broadphase = "pairs" })
+      world:add("tiles", small.tile(-100, 100, 400, 16))
+      for i = 1, 10 do
+        world:add("boxes", newBox(20 * i, -20 * i, { vx = 5 * i, friction = 0.5 }))
+      end
+      for step = 1, 210 do
+        small.set(world, n == 2 and changes[step] or nil)
+        world:update(DT)
+      end
+      assert.equal(n == 1 and 10 or 0, world.stats.resting)
+      hashes[n] = world:hash()
+    end
+    assert.equal(hashes[1], hashes[2])
+  end)
+
   it("masks are seen to change, also of a group that has been away", function()
     local world = physics.newWorld({ gravity = 0, masks = { shots = { gates = true } } })
     local gates = { newBox(30, 0, { static = true }) }

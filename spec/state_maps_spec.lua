@@ -183,6 +183,57 @@ describe("world:restore, dug tiles", function()
     end
   end
 
+  local function checkDigs(tiles, world)
+    for column = 1, N do
+      for row = 1, N, 7 do
+        local x, y = (column - 0.5) * SIZE + tiles.x, (row - 0.5) * SIZE + tiles.y
+        tiles:setTile(column, row, 0)
+        assert.equal(0, select(2, world:queryPoint(x, y)))
+        tiles:setTile(column, row, 1)
+        assert.equal(1, select(2, world:queryPoint(x, y)))
+      end
+    end
+  end
+
+  it("go on as in the world that was saved, whatever was dug here before", function()
+    local world, tiles = newWorld()
+    dig(tiles, 1, 200)
+    local state = world:save()
+    for n = 0, 3 do
+      local again, its = newWorld(n == 3)
+      dig(its, n, n * 40)
+      assert.same({ nil, {} }, { again:restore(copied(state)) })
+      assert.same({ tiles.tiles, tiles.rectangles }, { its.tiles, its.rectangles })
+      for turn = 2, 4 do
+        dig(tiles, turn, 60)
+        dig(its, turn, 60)
+        world:update(DT)
+        again:update(DT)
+        assert.equal(world:hash(), again:hash())
+      end
+      checkDigs(its, again)
+      world:restore(state)
+    end
+    checkDigs(tiles, world)
+  end)
+
+  it("are built where the map is, after a shift and a way back", function()
+    local world, tiles = newWorld()
+    local state = world:save()
+    world:shift(-2048, 32)
+    dig(tiles, 1, 9)
+    local far = world:save()
+    world:restore(state)
+    assert.same({ 0, 0, 1, 1 }, { tiles.x, tiles.y, tiles:cellAt(8, 8) })
+    checkDigs(tiles, world)
+    world:restore(far)
+    assert.same({ -2048, 32 }, { tiles.x, tiles.y })
+    checkDigs(tiles, world)
+    local again, its = newWorld()
+    again:restore(copied(far))
+    checkDigs(its, again)
+  end)
+
   it("leave with the state, and wait", function()
     local world, tiles = newWorld(true)
     world:update(DT)
