@@ -29,8 +29,9 @@
 -- pushes: a plane begins with the last impulse of its pair (`lastImpulse`, see `slant.tell`), of
 -- which passes take back a part that is too much. So 16 passes are enough for a heap that is 18
 -- bodies deep. Only bodies that are connected with a new or violated plane are solved again. A
--- solve presses several times: planes keep their pushes from call to call. Contacts along an axis
--- are settled before and after.
+-- solve presses several times: planes keep their pushes from call to call, and under gravity the
+-- rows of axis contacts, too. (Where those of a floor began at 0, the part that a plane took back
+-- lifted the ball off it.) Contacts along an axis are settled before and after.
 --
 -- Source: projected Gauss-Seidel (J. J. Moreau, 1999) with a warm start (E. Catto, Iterative
 -- Dynamics with Temporal Coherence, 2005), on places and then on speeds.
@@ -123,8 +124,10 @@ local function addContact(b, list, n, c)
   end
   s.one[c], s.other[c] = i, j
   s.nx[c], s.ny[c], s.least[c] = 1 - axis, axis, list.separation[n]
-  s.pair[c], s.start[c], s.slop[c] = list.pair[n], 0.0, EPSILON
-  s.push[c], s.impulse[c] = 0.0, 0.0
+  local p = list.pair[n]
+  local isOld = not b.isWeightless and s.pushedAt[p] == b.solveStamp
+  s.pair[c], s.start[c], s.slop[c] = p, 0.0, EPSILON
+  s.push[c], s.impulse[c] = isOld and s.pushOf[p] or 0.0, isOld and s.impulseOf[p] or 0.0
   s.height[c], s.first[c], s.second[c] = slant.heightOf(b, i, j), links.ranks(b, i, j)
   s.new[c - s.count] = c
   return true
@@ -339,7 +342,10 @@ local function noteAll(b)
   local s, inHeap = b.slants, b.heapWork.inHeap
   for n = 1, s.rows do
     local c = s.order[n]
-    local i, j = s.one[c], s.other[c]
+    local i, j, p = s.one[c], s.other[c], s.pair[c]
+    if c > s.count then
+      s.pushedAt[p], s.pushOf[p], s.impulseOf[p] = b.solveStamp, s.push[c], s.impulse[c]
+    end
     if s.isFlush[c] then
       note(b, i)
       note(b, j)

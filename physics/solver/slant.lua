@@ -69,6 +69,7 @@ function slant.begin(b)
     -- slot: the last solve that it found no place in front of all its walls.
     s.rows, s.walledCount, s.order, s.mark = 0, 0, {}, {}
     s.wallsAt, s.walled, s.firstWall, s.nextWall, s.viceAt = {}, {}, {}, {}, {}
+    s.pushedAt, s.pushOf, s.impulseOf = {}, {}, {} -- by pair: the solve of these pushes, see press
     s.leansAt = {} -- by slot: when something immovable touched it slanted as a step began
   end
   s.count, s.kept = 0, 0

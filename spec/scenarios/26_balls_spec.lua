@@ -539,3 +539,30 @@ it("radius: a ball is not put where the faces of a vice meet", function()
     x, y = one.x, one.y
   end
 end)
+
+-- A ball hung on a light one beside it, while its speed grew to 12000 px/s.
+it(
+  "mass: heavy balls between light ones lie on the floor after a while, without a speed",
+  function()
+    local world = physics.newWorld({ gravity = 600 })
+    world:add("floors", tile(-60, 300, 420, 60))
+    local list = {}
+    for n, row in ipairs({
+      { 28.271, 55.518, 8, 0.1 },
+      { 10.0803, 16.4597, 12, 10, 0.4 },
+      { 34.0996, 36.4128, 8, 0.1 },
+      { 40.1039, 25.9058, 5, 10 },
+    }) do
+      list[n] = world:add(
+        "balls",
+        { x = row[1], y = row[2], radius = row[3], mass = row[4], restitution = row[5] }
+      )
+    end
+    for _ = 1, 300 do
+      world:update(1 / 30)
+    end
+    for n = 2, 4, 2 do
+      assert.same({ 0, 300 }, { list[n].vy, list[n].y + 2 * list[n].radius })
+    end
+  end
+)
