@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 825 },
   { "physics/queries", 960 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3268 },
+  { "physics/solver", 3270 },
   { "physics/space", 505 },
   { "physics/state", 956 },
   { "physics/world", 1362 },
