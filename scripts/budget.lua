@@ -14,7 +14,7 @@ local BUDGET = {
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
   { "physics/maps", 2402 },
-  { "physics/memory", 775 },
+  { "physics/memory", 774 },
   { "physics/motion", 985 },
   { "physics/narrowphase", 573 },
   { "physics/objects", 1296 },

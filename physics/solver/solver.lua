@@ -132,7 +132,7 @@ local function prepare(b, dt)
     walk.begin(b)
   end
   settleTouching(b, dt)
-  if b.hasAids then
+  if b.walks then
     nudgeTouching(b, dt)
   end
   settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
@@ -217,7 +217,7 @@ local function solve(b, dt)
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)
   end
-  if b.hasAids then
+  if b.walks then
     snap.run(b)
   end
   if b.awakenings ~= awakenings then
