@@ -19,10 +19,10 @@ local BUDGET = {
   { "physics/narrowphase", 573 },
   { "physics/objects", 1296 },
   { "physics/overlaps", 825 },
-  { "physics/queries", 960 },
+  { "physics/queries", 958 },
   { "physics/sleep", 81 },
   { "physics/solver", 3270 },
-  { "physics/space", 505 },
+  { "physics/space", 491 },
   { "physics/state", 956 },
   { "physics/world", 1362 },
 }

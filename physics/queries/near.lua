@@ -178,6 +178,7 @@ function near.begin(world, wanted)
     for _, name in ipairs(COLUMNS) do
       c[name] = {}
     end
+    c.size[0], c.size[1] = 0, 0 -- place 0: a point
   end
   c.count, c.filter = 0, wanted
   c.masks, c.soft = world.masks or false, b.soft
