@@ -20,8 +20,8 @@ local EARTH = [[{ name = "earth", tilewidth = 16, tileheight = 16, tilecount = 4
   tiles = { { id = 1, type = "rock",
     properties = { { name = "solid", type = "bool", value = true } } } } }]]
 local CRATES = [[
-  { id = 7, name = "crate", type = "Crate", gid = 2147483654, x = 40, y = 32, width = 32, height = 16,
-    rotation = 0, properties = { { name = "mass", type = "int", value = 2 } } },
+  { id = 7, name = "crate", type = "Crate", gid = 2147483654, x = 40, y = 32, width = 32,
+    height = 16, rotation = 0, properties = { { name = "mass", type = "int", value = 2 } } },
   { id = 8, template = "parts/crate.tj", x = 80, y = 32, name = "box" }]]
 
 local FILES = {
@@ -74,9 +74,9 @@ describe("world:loadTiled, JSON", function()
   it("is read by its path, with its tilesets, each file once", function()
     local asked = pretend(FILES)
     local crate = "; things 40 16 32 16 mass=2 name=crate static type=Crate"
-    local reason = "; ! things: template: it is not read: export the map as Lua (File > Export As), "
+    local cure = "export the map as Lua (File > Export As), tilesets embedded, templates detached"
     assert.equal(
-      ROCK .. crate .. reason .. "tilesets embedded, templates detached",
+      ROCK .. crate .. "; ! things: template: it is not read: " .. cure,
       tiled.show(load("maps/cave.tmj"))
     )
     table.sort(asked)
