@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 617 },
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
-  { "physics/maps", 2357 },
+  { "physics/maps", 2356 },
   { "physics/memory", 774 },
   { "physics/motion", 985 },
   { "physics/narrowphase", 573 },
