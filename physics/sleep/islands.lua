@@ -103,7 +103,7 @@ end
 
 --- Takes an object out of the list of awake bodies.
 function islands.drop(b, i)
-  if i <= b.lastBody and b.awakeAt[i] > 0 then
+  if b.awakeAt[i] > 0 then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
     b.awakeList[at], b.awakeAt[last] = last, at
     b.awakeAt[i], b.awakeCount, b.awakenings = 0, b.awakeCount - 1, b.awakenings + 1
