@@ -6,8 +6,8 @@
 -- where no pair is at hand, in `carrierAt` of motion/carriers.lua, `isClosed` of queries/query.lua
 -- and `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid quarter of a
 -- round one-way object, is that of `shapes.sideOf`, which names sides everywhere: `lets` gets no
--- normal. For `filter.areSolid` and `filter.blocks` a one-way object is no obstacle: their callers
--- leave it out.
+-- normal (`sweep.meet`, and `passes` in solver/slant.lua, choose the side). For `filter.areSolid`
+-- and `filter.blocks` a one-way object is no obstacle: their callers leave it out.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")

@@ -22,10 +22,11 @@
 --                    this update (write); a nudge (`nudge`), a bounded step (`putBefore` in
 --                    bounds); a way out of an overlap (`bury` in overlap, `crowd.run`, `count` in
 --                    patience); an impulse of a slanted pair that falls below a quarter
---                    (`slant.tell`). A body that `heap` keeps in its place (`stillAt`) sleeps all
---                    the same, unless it is buried and not stuck yet.
---     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
---                    carrier (`carriers.noteJump`), or `put` in overlap has parted it from others
+--                    (`slant.tell`). A body that was put back to its place (`stillAt`, by
+--                    `path.putBack`) sleeps all the same, unless it is buried and not stuck yet;
+--                    `slant.tell` and `count` take that back.
+--     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`, after
+--                    `refresh` `carriers.noteJump`), or `put` in overlap has parted it from others
 --     isPolled       one of its contacts, or the world, asks for `onStay` (events) or `canCollide`
 --                    (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd

@@ -57,7 +57,8 @@ local function newList()
 end
 
 -- Returns whether impact n may join: both are solid, one is round, they may bounce, are not deep,
--- and nothing has changed them. (The first impact of a list: `happen` in rounds.)
+-- and nothing has changed them. The game is asked (`rules.passes`). (The first impact of a list:
+-- `happen` in rounds.)
 local function mayJoin(b, n)
   local impacts, round = b.impacts, b.roundStamp
   local i, j, p, axis = impacts.low[n], impacts.high[n], impacts.pair[n], impacts.axis[n]
@@ -97,7 +98,8 @@ local function gather(b, list, n)
 end
 
 -- Brings the bodies of each impact to their places at moment t, tau s before the end of the step,
--- and notes their velocities there, how they give way, whether they bounce, and the hits.
+-- and notes their velocities there, how they give way (`ball.weigh`), whether they bounce, and the
+-- hits.
 local function prepare(b, list, t, tau)
   local impacts, dt = b.impacts, b.dt
   for n = 1, list.count do
@@ -146,7 +148,8 @@ local function solve(b, list)
 end
 
 --- Resolves the n-th impact of this round together with the impacts of round bodies that are linked
---- with it at the same moment. Returns their list; nil: there are no others.
+--- with it at the same moment. Those that give way fly on with their accelerations. All have had an
+--- impact then, were deflected and stay awake. Returns their list; nil: there are no others.
 function together.run(b, n)
   b.together = b.together or newList()
   local list, impacts = b.together, b.impacts
