@@ -41,8 +41,7 @@ local walk = require(root .. ".solver.walk")
 
 local clip = {}
 
-local AXIS, APART, SLANTED, ENTERED =
-  constants.AXIS, contacts.APART, contacts.SLANTED, contacts.ENTERED
+local APART, SLANTED, ENTERED = contacts.APART, contacts.SLANTED, contacts.ENTERED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
 local EPSILON = constants.EPSILON
 local neighbours = links.neighbours
@@ -224,9 +223,7 @@ end
 
 -- In a corner an edge, half-plane n, also stops box i across gravity: notes that side as pressed.
 local function block(b, i, n)
-  local t = 1 - AXIS[
-    side[n] --[[@as integer]]
-  ]
+  local t = side[n] > 2 and 0 or 1
   local across = t == 0 and nx[n] or ny[n]
   if across ~= 0 then
     local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)

@@ -91,29 +91,19 @@ local function needsPress(b, c, ofAll)
   return s.isNew[c] or isDeep and s.total[c] ~= 0
 end
 
---- Returns whether there is a new plane, or a violated one, of changed bodies or of all (`ofAll`).
-function press.isNeeded(b, ofAll)
-  for c = 1, b.slants.count do
-    if needsPress(b, c, ofAll) then
-      return true
-    end
-  end
-  return false
-end
-
--- Marks the dynamic bodies of planes that are new or violated, and the bodies that touch these,
--- directly or through others. All others are solved already, and do not depend on these.
-local function spread(b, ofAll)
-  local s, kind = b.slants, b.kind
+-- Marks the dynamic bodies of planes that are new or violated. Returns whether there are any.
+local function markNeeded(b, ofAll)
+  local s, kind, isAny = b.slants, b.kind, false
+  s.stamp = s.stamp + 1
   for c = 1, s.count do
     if needsPress(b, c, ofAll) then
       local i, j = s.one[c], s.other[c]
-      s.isNew[c] = false
+      s.isNew[c], isAny = false, true
       s.mark[i], s.mark[j] =
         kind[i] == DYNAMIC and s.stamp or 0, kind[j] == DYNAMIC and s.stamp or 0
     end
   end
-  heap.spread(b, s.mark, s.stamp)
+  return isAny
 end
 
 -- Adds a contact along an axis as row c, if one of its bodies is marked, none is squeezed, and they
@@ -138,17 +128,19 @@ local function addContact(b, list, n, c)
   return true
 end
 
--- Lists the rows to be solved: from below to above, then in the order of the world. Planes keep
--- their numbers; contacts along an axis of the same bodies get the numbers behind these.
-local function listRows(b, ofAll)
+-- Lists the rows to be solved, those of marked bodies and of the bodies that touch these, directly
+-- or through others: from below to above, then in the order of the world. (All others are solved
+-- already, and do not depend on these.) Planes keep their numbers; contacts along an axis of the
+-- same bodies get the numbers behind these.
+local function listRows(b)
   local s, last = b.slants, b.slants.count
-  s.rows, s.stamp = 0, s.stamp + 1
+  s.rows = 0
   for c = s.kept + 1, s.count do
     s.new[c - s.kept] = c
   end
   sort.merge(s.base, s.kept, s.new, s.count - s.kept, s.height, s.first, s.second)
   s.kept = s.count
-  spread(b, ofAll)
+  heap.spread(b, s.mark, s.stamp)
   for n = 1, s.count do
     local c = s.base[n]
     if s.mark[s.one[c]] == s.stamp or s.mark[s.other[c]] == s.stamp then
@@ -165,9 +157,70 @@ local function listRows(b, ofAll)
   s.rows = s.rows + last - s.count
 end
 
+-- Walls -------------------------------------------------------------------------------------------
+
+-- Lists the rows with a wall by the body that it stops: the other body of the row cannot be moved
+-- along their normal, since it is immovable, or held, or not pushable.
+local function listWalls(b)
+  local s = b.slants
+  s.walledCount = 0
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
+    local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
+    local isOne, isOther = nx * nx * ix + ny * ny * iy > 0, nx * nx * jx + ny * ny * jy > 0
+    if isOne ~= isOther then
+      local mover = isOne and i or j
+      if s.wallsAt[mover] ~= s.stamp then
+        s.walledCount = s.walledCount + 1
+        s.walled[s.walledCount], s.wallsAt[mover], s.firstWall[mover] = mover, s.stamp, 0
+      end
+      s.nextWall[c], s.firstWall[mover] = s.firstWall[mover], c
+    end
+  end
+end
+
+-- Returns how far body k is from where it began, or how fast it is.
+local function lengthOf(b, column, k, isOfSpeeds)
+  local x = column[k] - (isOfSpeeds and 0.0 or b.origin[k])
+  local y = column[k + 1] - (isOfSpeeds and 0.0 or b.origin[k + 1])
+  return sqrt(x * x + y * y)
+end
+
+-- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
+-- nearest velocity that goes into none. It is looked for as far away as where the body began, or a
+-- standstill, and the ways of the walls. (The corner of walls that come from opposite sides may be
+-- anywhere.) A body that has no such place is in a vice: from now on it stops those that are not
+-- pushable (see `weigh` in narrowphase/ball.lua).
+local function leaveWalls(b, column, isOfSpeeds)
+  local s = b.slants
+  for n = 1, s.walledCount do
+    local i = s.walled[n]
+    local k, c = 2 * i, s.firstWall[i]
+    local most = lengthOf(b, column, k, isOfSpeeds) + ROOM
+    planes.count = 0
+    while c ~= 0 do
+      local sign, j = s.one[c] == i and 1 or -1, s.one[c] + s.other[c] - i
+      local nx, ny, m = sign * s.nx[c], sign * s.ny[c], 2 * j
+      if not isOfSpeeds or s.isFlush[c] then
+        local place = nx * column[m] + ny * column[m + 1] + (isOfSpeeds and 0.0 or s.least[c])
+        planes.add(b.rank, nx, ny, place, j, 0)
+        most = most + lengthOf(b, column, m, isOfSpeeds)
+      end
+      c = s.nextWall[c]
+    end
+    local x, y = planes.nearest(column[k], column[k + 1], most)
+    if x then
+      column[k], column[k + 1] = x, y
+    else
+      s.viceAt[i] = b.solveStamp
+    end
+  end
+end
+
 -- Passes ------------------------------------------------------------------------------------------
 
--- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`sweep`
+-- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`solve`
 -- has it written out: with a call hundreds of circles cost 9 % more without the trace compiler.)
 local function pushApart(column, s, c, more)
   local k, m = 2 * s.one[c], 2 * s.other[c]
@@ -204,9 +257,10 @@ local function weigh(b, isShock)
   end
 end
 
--- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
--- of each row so far. A row whose bodies have left each other again takes its push back.
-local function sweep(b, column, sum, passCount, isOfSpeeds)
+-- Makes passes over a column, with walls last: the places or the speeds at the end of the step.
+-- `sum` holds the push of each row so far. A row whose bodies have left each other again takes its
+-- push back.
+local function solve(b, column, sum, passCount, isOfSpeeds)
   local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
   local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
   local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
@@ -227,69 +281,7 @@ local function sweep(b, column, sum, passCount, isOfSpeeds)
       end
     end
   end
-end
-
--- Walls -------------------------------------------------------------------------------------------
-
--- Lists the rows with a wall by the body that it stops: the other body of the row cannot be moved
--- along their normal, since it is immovable, or held, or not pushable.
-local function listWalls(b)
-  local s = b.slants
-  s.walledCount = 0
-  for n = 1, s.rows do
-    local c = s.order[n]
-    local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
-    local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
-    local isOne, isOther = nx * nx * ix + ny * ny * iy > 0, nx * nx * jx + ny * ny * jy > 0
-    if isOne ~= isOther then
-      local mover = isOne and i or j
-      if s.wallsAt[mover] ~= s.stamp then
-        s.walledCount = s.walledCount + 1
-        s.walled[s.walledCount], s.wallsAt[mover], s.firstWall[mover] = mover, s.stamp, 0
-      end
-      s.nextWall[c], s.firstWall[mover] = s.firstWall[mover], c
-    end
-  end
-end
-
--- Returns how far body k is from where it began, or how fast it is.
-local function lengthOf(b, column, k, isOfSpeeds)
-  local x, y = column[k], column[k + 1]
-  if not isOfSpeeds then
-    x, y = x - b.origin[k], y - b.origin[k + 1]
-  end
-  return sqrt(x * x + y * y)
-end
-
--- Puts each body that walls stop at the nearest place in front of all of them, or gives it the
--- nearest velocity that goes into none. It is looked for as far away as where the body began, or a
--- standstill, and the ways of the walls. (The corner of walls that come from opposite sides may be
--- anywhere.) A body that has no such place is in a vice: from now on it stops those that are not
--- pushable (see `weigh` in narrowphase/ball.lua).
-local function leaveWalls(b, column, isOfSpeeds)
-  local s = b.slants
-  for n = 1, s.walledCount do
-    local i = s.walled[n]
-    local k, c = 2 * i, s.firstWall[i]
-    local most = lengthOf(b, column, k, isOfSpeeds) + ROOM
-    planes.count = 0
-    while c ~= 0 do
-      local sign, j = s.one[c] == i and 1 or -1, s.one[c] + s.other[c] - i
-      local nx, ny, m = sign * s.nx[c], sign * s.ny[c], 2 * j
-      if not isOfSpeeds or s.isFlush[c] then
-        local place = nx * column[m] + ny * column[m + 1] + (isOfSpeeds and 0.0 or s.least[c])
-        planes.add(b.rank, nx, ny, place, j, 0)
-        most = most + lengthOf(b, column, m, isOfSpeeds)
-      end
-      c = s.nextWall[c]
-    end
-    local x, y = planes.nearest(column[k], column[k + 1], most)
-    if x then
-      column[k], column[k + 1] = x, y
-    else
-      s.viceAt[i] = b.solveStamp
-    end
-  end
+  leaveWalls(b, column, isOfSpeeds)
 end
 
 -- The end of the step -----------------------------------------------------------------------------
@@ -323,22 +315,16 @@ local function findFlush(b)
   end
 end
 
--- Gives body k the acceleration with which it comes to its place with its speed, tau s after its
--- path began there; at most `most`.
-local function accelerate(b, k, tau, most)
-  local a = 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau
-  path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
-end
-
--- Notes that slot i was pushed.
+-- Notes that slot i was pushed, and gives it the acceleration with which it comes to its place with
+-- its speed; at most that of its free flight.
 local function note(b, i)
-  local k, m, dt = 2 * i, 2 * i + 1, b.dt
+  local first, dt, free, start = 2 * i, b.dt, b.freeSpeed, b.start
+  local x, y = (free[first] - start[first]) / dt, (free[first + 1] - start[first + 1]) / dt
+  local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
   b.deflectedAt[i] = b.solveStamp
-  if b.give[k] > 0 then
-    local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
-    local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
-    accelerate(b, k, tau, most)
-    accelerate(b, m, tau, most)
+  for k = first, b.give[first] > 0 and first + 1 or 0 do
+    local a = 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau
+    path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
   end
 end
 
@@ -361,17 +347,14 @@ local function noteAll(b)
   end
 end
 
--- Makes passes over a column, with walls last.
-local function solve(b, column, sum, passCount, isOfSpeeds)
-  sweep(b, column, sum, passCount, isOfSpeeds)
-  leaveWalls(b, column, isOfSpeeds)
-end
-
 --- Pushes new planes apart, violated ones of changed bodies (`ofAll`: of all), and rows of bodies
---- that these connect.
+--- that these connect. Returns whether there are any.
 function press.run(b, ofAll)
   local s = b.slants
-  listRows(b, ofAll)
+  if not markNeeded(b, ofAll) then
+    return false
+  end
+  listRows(b)
   listWalls(b)
   weigh(b, false)
   solve(b, b.to, s.push, PASSES, false)
@@ -380,6 +363,7 @@ function press.run(b, ofAll)
   weigh(b, true)
   solve(b, b.to, s.lift, SHOCKS, false)
   noteAll(b)
+  return true
 end
 
 -- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
@@ -392,15 +376,14 @@ local function rest(b, i)
 end
 
 --- Presses the bodies apart that the rounds have left in each other, finds which planes touch,
---- leaves slow bodies where they were, and finds the heaps. Returns whether there are planes.
+--- leaves slow bodies where they were, and finds the heaps.
 function press.finish(b)
   local s = b.slants
   slant.findLate(b)
   if s.count == 0 then
-    return false
-  elseif press.isNeeded(b, true) then
-    press.run(b, true)
+    return
   end
+  press.run(b, true)
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
     rest(b, s.one[c])
@@ -408,7 +391,6 @@ function press.finish(b)
   end
   pairFinder.run(b, b.awakeList, b.awakeCount)
   heap.spread(b, b.heapWork.inHeap, b.solveStamp)
-  return true
 end
 
 return press
