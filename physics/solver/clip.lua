@@ -274,12 +274,9 @@ local function isSqueezed(b, i)
   local isCaught = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0
   for _, j, p in neighbours(b, i) do
     local isClose = touch.haveFaces(b, i, j) and (isCaught or boxes.gap(b, to, i, j) < -EPSILON)
-    if areCaught(b, p, i, j) then
+    local isIn = isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON)
+    if areCaught(b, p, i, j) or isIn and isWall(b, p, i, j) then
       return true
-    elseif isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON) then
-      if isWall(b, p, i, j) then
-        return true
-      end
     end
   end
   return false

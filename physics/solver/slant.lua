@@ -35,10 +35,8 @@ local slant = {}
 
 local APART, SLANTED = contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local gapIn = ball.gapIn
+local gapIn, slotsOf = ball.gapIn, contacts.slotsOf
 local huge, max, min = math.huge, math.max, math.min
--- Share of the smaller size: the depth from which two leave each other as boxes do.
-local LOST = ball.LOST
 -- Two that can both be moved get a plane although they may not meet if they are nearer than this
 -- share of the smaller size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
@@ -73,15 +71,6 @@ function slant.begin(b)
     s.leansAt = {} -- by slot: when something immovable touched it slanted as a step began
   end
   s.count, s.kept = 0, 0
-end
-
--- Returns the slots of pair p, the first in the order of the world first.
-local function slotsOf(b, p)
-  local i, j = b.pairA[p], b.pairB[p]
-  if b.rank[j] < b.rank[i] then
-    return j, i
-  end
-  return i, j
 end
 
 --- Returns how high slots i and j are against the gravity of the world; if one of them is
@@ -156,7 +145,7 @@ function slant.takes(b, p)
   local gap, nx, ny = gapIn(b, b.from, i, j)
   local u, slop = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j)
   local bounces = gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u)
-  local isFar = gap > EPSILON or gap < -LOST * ball.smallest(b, i, j)
+  local isFar = gap > EPSILON or gap < -ball.LOST * ball.smallest(b, i, j)
   if bounces or isFar or passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
