@@ -221,21 +221,20 @@ end
 
 -- Clipping ----------------------------------------------------------------------------------------
 
--- In a corner an edge, half-plane n, also stops box i across gravity: notes that side as pressed.
-local function block(b, i, n)
-  local t = side[n] > 2 and 0 or 1
-  local across = t == 0 and nx[n] or ny[n]
-  if across ~= 0 then
-    local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
-    b.pressedAt[at], b.blockedCount = b.solveStamp, b.blockedCount + 1
-    work.blocked[b.blockedCount], work.blockedBy[b.blockedCount] = at, wall[n]
-  end
-end
-
--- Notes that a face with such a normal stops body k on one side of an axis.
-local function stop(b, k, normal)
-  if normal ~= 0 then
-    b.clipWork.loose[2 * k + (normal < 0 and 2 or 1)] = 0
+-- Notes that half-plane n stops box i on the sides to which its face looks. In a corner of two an
+-- edge also stops the box across gravity: notes that side as pressed.
+local function stop(b, i, n)
+  local work, count = b.clipWork, b.blockedCount + 1
+  for axis = 0, 1 do
+    local normal = axis == 0 and nx[n] or ny[n]
+    local at = 4 * i + 2 * axis + (normal < 0 and 2 or 1)
+    if normal ~= 0 then
+      work.loose[at] = 0
+    end
+    if normal ~= 0 and planes.count == 2 and axis ~= (side[n] > 2 and 1 or 0) then
+      b.pressedAt[at], b.blockedCount = b.solveStamp, count
+      work.blocked[count], work.blockedBy[count] = at, wall[n]
+    end
   end
 end
 
@@ -247,12 +246,8 @@ local function put(b, i, x, y)
     b.clipWork.loose[at] = b.solveStamp
   end
   for n = 1, planes.count do
-    stop(b, k, nx[n])
-    stop(b, k + 1, ny[n])
+    stop(b, i, n)
     b.pressedAt[4 * i + side[n]] = b.solveStamp
-    if planes.count == 2 then
-      block(b, i, n)
-    end
     least[n] = speedAlong(b, n, n)
   end
   local vx, vy = planes.nearest(b.speed[k], b.speed[k + 1], huge)

@@ -51,7 +51,6 @@ local yielding = require(root .. ".narrowphase.yielding")
 local press = {}
 
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Passes over the rows, and those over the places after them.
 local PASSES, SHOCKS = 16, 6
@@ -78,7 +77,7 @@ local ROOM = 0.1
 -- Returns by how much the bodies of row c end nearer to each other than they may be, px.
 local function depthOf(b, c)
   local s = b.slants
-  return s.least[c] - along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
+  return s.least[c] - slant.along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
 end
 
 -- Returns whether plane c is new, or violated while one of its bodies has another path than at the
