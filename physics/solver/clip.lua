@@ -43,8 +43,7 @@ local clip = {}
 
 local APART, SLANTED, ENTERED = contacts.APART, contacts.SLANTED, contacts.ENTERED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
-local EPSILON = constants.EPSILON
-local neighbours = links.neighbours
+local EPSILON, neighbours = constants.EPSILON, links.neighbours
 local isBox, isRound = shapes.isBox, shapes.isRound
 local floor, huge, max = math.floor, math.huge, math.max
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
