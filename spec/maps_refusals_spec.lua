@@ -228,7 +228,10 @@ describe("world:loadLDtk refuses", function()
     { { sold = {} }, 'unknown option "sold" (did you mean "solid"?); the options are …' },
     { { solid = { dirt = 5 } }, 'solid["dirt"] must be true, false or a table of fields, got 5' },
     { { solid = { dirt = { mass = -1 } } }, 'solid["dirt"]: mass must be a number > 0, got -1' },
-    { { solid = { dirtt = true } }, 'solid["dirtt"] must be a value of an IntGrid layer; …' },
+    {
+      { solid = { dirtt = true } },
+      'a key of solid must be a value of an IntGrid layer, got "dirtt"; …',
+    },
     { { groups = { Player = true } }, 'layer "Entities", entity "Player": group must be a …' },
     { { onlyLayers = { "Wall" } }, 'onlyLayers[1] must be a layer of the level, got "Wall"; …' },
     { { kinds = { Player = 5 } }, 'kinds.Player must be "static", "dynamic", "kinematic" or …' },

@@ -50,16 +50,9 @@ local function join(self, made)
 end
 
 local function find(self, call, name)
-  local where, names = "level:" .. call, {}
+  local where = "level:" .. call
   check.self(self, Atlas, where, "a level of several maps")
-  for i, map in ipairs(self.maps) do
-    if map.name == name then
-      return map
-    end
-    names[i] = check.show(map.name)
-  end
-  local text = "%s: name must be a map of the world, got %s; they are %s"
-  check.fail(text, where, check.show(name), table.concat(names, ", "))
+  return level.pick(self.maps, name, where .. ": name", "a map of the world")
 end
 
 -- Reads those of these maps that are not there. Returns the argument for `_set`.

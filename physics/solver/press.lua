@@ -285,13 +285,16 @@ end
 
 -- The end of the step -----------------------------------------------------------------------------
 
--- Limits how far dynamic slot i is pushed: a share of its size, and as far as its speed takes it.
--- (A body between immovable ones would be pushed to and fro.)
+-- Limits how far slot i, if it is dynamic, is pushed: a share of its size, and as far as its speed
+-- takes it. (A body between immovable ones would be pushed to and fro.)
 local function limit(b, i)
+  if b.kind[i] ~= DYNAMIC then
+    return
+  end
   local k, to, origin, start, free = 2 * i, b.to, b.origin, b.start, b.freeSpeed
   local fastest = max(path.largest(start, k), path.largest(free, k), path.largest(b.speed, k))
   local most = FURTHEST * min(b.size[k], b.size[k + 1]) + fastest * b.dt
-  for m = k, b.kind[i] == DYNAMIC and k + 1 or 0 do
+  for m = k, k + 1 do
     to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
   end
 end
@@ -318,10 +321,13 @@ end
 -- its speed; at most that of its free flight.
 local function note(b, i)
   local first, dt, free, start = 2 * i, b.dt, b.freeSpeed, b.start
+  b.deflectedAt[i] = b.solveStamp
+  if b.give[first] == 0 then
+    return
+  end
   local x, y = (free[first] - start[first]) / dt, (free[first + 1] - start[first + 1]) / dt
   local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
-  b.deflectedAt[i] = b.solveStamp
-  for k = first, b.give[first] > 0 and first + 1 or 0 do
+  for k = first, first + 1 do
     local a = 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau
     path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
   end
