@@ -44,7 +44,6 @@ local clip = {}
 local APART, SLANTED, ENTERED = contacts.APART, contacts.SLANTED, contacts.ENTERED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
 local EPSILON, neighbours = constants.EPSILON, links.neighbours
-local isBox, isRound = shapes.isBox, shapes.isRound
 local floor, huge, max = math.floor, math.huge, math.max
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
@@ -129,7 +128,7 @@ end
 -- Whether slot j, of pair p, stops box i, and does not give way (round and one-way objects: never).
 local function isWall(b, p, i, j)
   local isFirm = b.kind[j] == STATIC or b.kind[j] == KINEMATIC and counting < FIXED
-  return isFirm and not isRound[b.shape[j]] and not b.passing[p] and filter.blocks(b, i, j)
+  return isFirm and not shapes.isRound[b.shape[j]] and not b.passing[p] and filter.blocks(b, i, j)
 end
 
 -- Returns the wall that box i would be deepest in at (x, y), at moment t; nil: it would be in none.
@@ -299,7 +298,7 @@ local function clipAll(b)
   local list, count, hasClipped = b.clipWork.list, 0, false
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
+    local isMovable = b.kind[i] == DYNAMIC and shapes.isBox[b.shape[i]] and not b.buried[i]
     if isMovable and isSqueezed(b, i) then
       count = count + 1
       list[count] = i
