@@ -90,7 +90,7 @@ local function lower(b, i, most)
   local start, low = turn * path.home(b, k), here + most
   local drop = max(here - start, start - here) + most * (1 + max(x - x0, x0 - x))
   ground.list(b, i, x0, x, min(start, here), drop) -- (nudge may have lifted it)
-  local j, height = ground.highest(b, x, here)
+  local j, height = ground.envelope(b, x, x, here)
   if j ~= 0 and height > low + EPSILON then
     b.walkWork.count = 0 -- no path follows the pieces any more
     local _, last = walk.follow(b, x0, x, start, false, most)
