@@ -62,23 +62,6 @@ describe("raycast", function()
     end
   end)
 
-  -- One ball around (20, 20) of 10 px. (A line along an edge is a millionth of a px in it.)
-  small.rows("answers, of a ball: {1}", {
-    { "along its left edge", { 10, 0, 10, 40 }, { 10, 20, -1, 0, 0.5 } },
-    { "along its top edge", { 40, 10, 0, 10 }, { 20, 10, 0, -1, 0.5 } },
-    { "along its right edge", { 30, 0, 30, 40 } },
-    { "up to its top", { 20, 0, 20, 10 }, { 20, 10, 0, -1, 1 } },
-    { "from its top, outwards", { 20, 10, 20, 0 } },
-  }, function(_, line, expected)
-    local world = still()
-    local ball = world:add("b", { x = 10, y = 10, radius = 10 })
-    local hit, x, y, nx, ny, fraction = world:raycast(small.unpack(line))
-    assert.equal(expected and ball, hit)
-    for n, number in ipairs(expected and { x, y, nx, ny, fraction } or {}) do
-      assert.near(expected[n], number, 0.01)
-    end
-  end)
-
   --     +-+            the neighbour covers the side along gravity,
   --     +-+   +-+-+    or the one across it
   --     +-+   +-+-+

@@ -86,7 +86,7 @@ local function listNew(b, count)
       asker, stamp, at = i, markNeighbours(b, i), placed[i]
     end
     local isNew = mark[j] ~= stamp and placed[j] > at
-    local isCrowd = max(i, j) <= b.lastBody and min(crowd[2 * i], crowd[2 * j]) > 0
+    local isCrowd = min(crowd[2 * i], crowd[2 * j]) > 0
     if isNew and not isCrowd and not filter.reason(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j

@@ -1,33 +1,21 @@
 ---@diagnostic disable
---- Gives each body a slot, that is an index in the columns of a world, and makes the columns.
+--- Gives each object a slot, that is an index in the columns of a world, and makes the columns.
 --
--- A static body that has never had a neighbour, as most of a level, has few columns: those of its
--- place and its fields. Slots up to `lastBody` have all columns, those behind it have only these.
--- When a static body gets its first neighbour, it moves to a slot with all of them (`embody`). So
--- until then its slot may change whenever pairs are linked, or a body comes that can move.
---
--- Writes all columns of new and of moved bodies.
+-- Writes all columns of new objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local arrays = require(root .. ".memory.arrays")
+local constants = require(root .. ".memory.constants")
 local initial = require(root .. ".memory.initial")
 local layout = require(root .. ".memory.layout")
 
 local allot = {}
 
-local floor, max, remove = math.floor, math.max, table.remove
----@type any, any
-local EVERY, BODY = layout.EVERY, layout.BODY
--- Before the static bodies there are so many free slots with all columns. When they are used up,
--- there is room for one in MORE of all of them on top. (The static bodies in the way must move:
--- with half of them on top, one frame of a level of 20 000 tiles takes 9 ms.)
-local ROOM, MORE = 8, 16
--- The lists that may keep the slot of a static body without neighbours while pairs are linked, and
--- their counts. (`moveNoted` mends `slotOf`, `group.slots` and the grid.) Nothing else may: all
--- else asks `embody` for a slot that stays.
-local KEEPERS =
-  { "linkOne", "linkOther", "movedList", "entered", "zoneList", "restored", "gone", "reranked" }
-local COUNTS = { "linkCount", "linkCount", "movedCount", "enteredCount" }
+local floor, remove = math.floor, table.remove
+local STATIC = constants.STATIC
+local OBJECT, BODY, MOVER = layout.OBJECT, layout.BODY, layout.MOVER
+-- In front of many static objects that come at once, there is a free slot for a mover in so many.
+local SHARE = 64
 
 --- Makes room in some columns for the index `last`.
 function allot.reserve(b, rows, last)
@@ -43,24 +31,38 @@ function allot.reserve(b, rows, last)
   b.reserved[rows] = count
 end
 
--- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
--- take twice as long.)
-local function blank(b, rows, first, last)
-  for n = 1, #rows.names do
+-- Gives the slots `first` to `last` the initial values of the n-th one of some columns.
+local function fill(b, rows, n, first, last)
+  local column, value, width = b[rows.names[n]], rows.values[n], rows.widths[n]
+  local shift = width == 4 and 1 or 0 -- sides are 1 to 4
+  for at = width * first + shift, width * (last + 1) + shift - 1 do
+    column[at] = value
+  end
+end
+
+-- Gives the slots in places `first` to `last` of a list the initial values of some columns. (All
+-- loops are long, and there are no branches: a slot has 1, 2 or 4 places.)
+local function blank(b, rows, slots, first, last)
+  for n = 1, first <= last and #rows.names or 0 do
     local column, value, width = b[rows.names[n]], rows.values[n], rows.widths[n]
-    local shift = width == 4 and 1 or 0 -- sides are 1 to 4
-    for at = width * first + shift, width * (last + 1) + shift - 1 do
-      column[at] = value
+    local shift, second, third = floor(width * 0.25), floor(width * 0.25), floor(width * 0.5)
+    for m = first, last do
+      local at = width * slots[m] + shift -- sides are 1 to 4
+      column[at], column[at + second] = value, value
+      column[at + third], column[at + width - 1] = value, value
     end
   end
 end
 
 -- Makes room in some columns for the slot `last`. Slots that are not in use have the first values.
+-- (They are filled column by column. Slot by slot, 20 000 tiles take twice as long.)
 local function prepare(b, rows, last)
   local old = b.reserved[rows]
-  if last >= old then
-    allot.reserve(b, rows, last)
-    blank(b, rows, old, b.reserved[rows] - 1)
+  allot.reserve(b, rows, last)
+  for n = 1, old < b.reserved[rows] and #rows.names or 0 do
+    if not arrays.begins(rows.kinds[n], rows.values[n]) then
+      fill(b, rows, n, old, b.reserved[rows] - 1)
+    end
   end
 end
 
@@ -85,7 +87,7 @@ local function make(b)
   b.fatLow, b.fatHigh = nil, nil -- they become columns
   add(b, layout.OTHERS)
   initial.addWork(b)
-  for _, rows in ipairs({ EVERY, BODY, layout.PAIR, layout.LINKS }) do
+  for _, rows in ipairs({ OBJECT, BODY, MOVER, layout.PAIR, layout.LINKS }) do
     add(b, rows.names)
     b.reserved[rows] = 0
     prepare(b, rows, 0)
@@ -94,157 +96,61 @@ local function make(b)
   b.size[0], b.size[1] = -1, -1
 end
 
--- Takes a slot behind `lastBody`. (Of the free ones some may be in front of it by now.)
-local function takePlace(b, coming)
-  local i
-  repeat
-    i = remove(b.slotWork.freePlaces)
-  until not i or i > b.lastBody
-  if not i then
-    i = b.slots + 1
-    b.slots = i
-    prepare(b, EVERY, i + coming - 1)
-  end
-  return i
-end
-
--- Takes a slot with all columns. There must be one.
-local function takeBody(b, coming)
-  local i = remove(b.slotWork.free)
-  if not i then
-    i = b.lastUsed + 1
-    b.lastUsed, b.slots = i, max(b.slots, i)
-    prepare(b, EVERY, i + coming - 1)
-    prepare(b, BODY, i + coming - 1)
-  end
-  return i
-end
-
--- Moving -----------------------------------------------------------------------------------------
-
--- Notes that the static body in slot i, which has no neighbours, is about to move to slot j.
-local function note(b, i, j)
-  local work = b.slotWork
-  work.leftCount = work.leftCount + 1
-  work.left[work.leftCount], work.movedTo[i] = i, j
-end
-
-local function renameIn(movedTo, list, count)
-  for n = 1, count do
-    list[n] = movedTo[list[n]] or list[n]
-  end
-end
-
-local function copy(column, width, left, movedTo, count)
-  for n = 1, count do
-    local k, m = width * left[n], width * movedTo[left[n]]
-    column[m], column[m + width - 1] = column[k], column[k + width - 1]
-  end
-end
-
--- Moves the bodies that were noted, and writes their slots into the lists that keep them.
-local function moveNoted(b)
-  local work = b.slotWork
-  local left, movedTo, places, count = work.left, work.movedTo, work.freePlaces, work.leftCount
-  for n = 1, #EVERY.names do
-    copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, count)
-  end
-  for n = 1, #KEEPERS do
-    renameIn(movedTo, b[KEEPERS[n]], b[COUNTS[n]] or #b[KEEPERS[n]])
-  end
-  for n = 1, count do
-    local i, j = left[n], movedTo[left[n]]
-    local slots = b.group[j] and b.group[j].slots or {} -- (an object that has gone is in none)
-    b.slotOf[b.object[j]], slots[b.seat[j]] = j, j
-    if j <= b.lastBody then
-      b.origin[2 * j], b.origin[2 * j + 1] = b.from[2 * j], b.from[2 * j + 1]
-    end
-    if b.placed[j] ~= 0 then
-      b.broadphase:remove(i)
-      b.broadphase:insert(j)
-    end
-    blank(b, EVERY, i, i)
-    movedTo[i], places[#places + 1] = nil, i
-  end
-  work.leftCount = 0
-end
-
--- Makes room for `count` more bodies with all columns.
-local function makeRoom(b, count)
-  local first = b.lastBody + 1
-  if #b.slotWork.free + b.lastBody - b.lastUsed >= count then
-    return
-  end
-  b.lastBody = b.lastBody + max(count, ROOM, floor(b.lastBody / MORE))
-  b.slots = max(b.slots, b.lastBody)
-  prepare(b, EVERY, b.slots)
-  for i = first, b.lastBody do
-    if b.object[i] and not b.slotWork.movedTo[i] then
-      note(b, i, takePlace(b, 1))
-    end
-  end
-  moveNoted(b) -- and the bodies that were noted before
-end
-
--- Notes the bodies of a list that have no slot with all columns, and takes one for each.
-local function noteAll(b, list, count)
-  for n = 1, count do
-    if list[n] > b.lastBody and not b.slotWork.movedTo[list[n]] then
-      makeRoom(b, 1) -- (it may move the body)
-      note(b, list[n], takeBody(b, 1))
-    end
-  end
-end
-
---- Gives the bodies of the pairs in b.linkOne and b.linkOther slots with all columns.
-function allot.embodyLinked(b, count)
-  b.linkCount = count
-  noteAll(b, b.linkOne, count)
-  noteAll(b, b.linkOther, count)
-  if b.slotWork.leftCount > 0 then
-    moveNoted(b)
-  end
-end
-
---- Gives a body a slot with all columns. Returns its slot.
-function allot.embody(b, i)
-  b.linkOne[1], b.linkOther[1] = i, i
-  allot.embodyLinked(b, 1)
-  return b.linkOne[1]
-end
-
 -- Coming and going -------------------------------------------------------------------------------
 
+-- Leaves some slots to movers that come later.
+local function leaveRoom(b, count)
+  for n = count, 1, -1 do
+    b.freeMovers[#b.freeMovers + 1] = b.slots + n
+  end
+  b.slots = b.slots + count
+end
+
 --- Takes a slot for a new object and returns it. All its columns have their initial values.
---- `coming`: it is the first of so many.
+--- `coming`: it is the first of so many. (Movers get slots that are close together, before the
+--- static ones that come with them: the columns of movers end with the last mover.)
 function allot.claim(b, isStatic, coming)
   if not b.object then
     make(b)
   end
+  local i = remove(isStatic and b.freeStatic or b.freeMovers)
+  if not i then
+    if isStatic and #b.freeMovers == 0 then
+      leaveRoom(b, floor(coming / SHARE))
+    end
+    i = b.slots + 1
+    b.slots = i
+    prepare(b, OBJECT, i + coming - 1)
+    prepare(b, BODY, i + coming - 1)
+    prepare(b, MOVER, isStatic and 0 or i + coming - 1)
+  end
   b.count = b.count + 1
-  if not isStatic then
-    makeRoom(b, coming)
-    return takeBody(b, coming)
-  elseif b.lastBody == math.huge then
-    b.lastBody, b.slots = b.lastUsed + ROOM, b.lastUsed + ROOM
-    prepare(b, EVERY, b.lastBody)
-  end
-  return takePlace(b, coming)
+  return i
 end
 
---- Gives the columns of bodies their first values: a body has got another kind.
+--- Gives the columns that steps write their first values: an object gets another kind.
 function allot.clear(b, i)
-  if i <= b.lastBody then
-    blank(b, BODY, i, i)
-  end
+  b.stack[1] = i
+  blank(b, BODY, b.stack, 1, 1)
+  blank(b, MOVER, b.stack, 1, b.kind[i] == STATIC and 0 or 1)
 end
 
---- Gives a slot back. Its pairs must have been unlinked.
-function allot.release(b, i)
-  local list = i > b.lastBody and b.slotWork.freePlaces or b.slotWork.free
-  allot.clear(b, i)
-  blank(b, EVERY, i, i)
-  b.count, list[#list + 1] = b.count - 1, i
+--- Makes room for slot i in the columns of movers.
+function allot.addMover(b, i)
+  prepare(b, MOVER, i)
+end
+
+--- Gives slots back. Their pairs must have been unlinked.
+function allot.release(b, slots)
+  local movers, before = b.freeMovers, #b.freeMovers
+  for n = 1, #slots do
+    local free = b.kind[slots[n]] > STATIC and movers or b.freeStatic
+    free[#free + 1] = slots[n]
+  end
+  blank(b, OBJECT, slots, 1, #slots)
+  blank(b, BODY, slots, 1, #slots)
+  blank(b, MOVER, movers, before + 1, #movers)
+  b.count = b.count - #slots
 end
 
 return allot

@@ -41,6 +41,11 @@ function arrays.places(old, count)
   return typed() and floor(max(count * SPARE + 1, FIRST, GROWTH * old)) or count + FIRST
 end
 
+--- Returns whether new places of a column hold this value: those of a typed array hold 0, `false`.
+function arrays.begins(kind, value)
+  return typed() and kind and (value == 0 or value == false)
+end
+
 --- Returns a column with places for the slots 0 to `count` - 1 that begins as `column` does.
 ---@param kind string|false a type of C, false: it may hold anything
 ---@param column any has places for `old` slots; for none, it is an empty table

@@ -53,10 +53,9 @@ end
 
 -- Shares ------------------------------------------------------------------------------------------
 
--- Returns where k is `time` s after the beginning of the step, if nothing acts on it. (A static
--- object that lies alone has no velocity.)
+-- Returns where k is `time` s after the beginning of the step, if nothing acts on it.
 local function place(b, k, time)
-  return b.from[k] + (k < 2 * b.lastBody + 2 and b.velocity[k] or 0.0) * time
+  return b.from[k] + b.velocity[k] * time
 end
 
 -- Returns the share of slot i, 0..1, that is in zone j, if zone j acts on it at all.

@@ -121,7 +121,7 @@ function near.file(b, i)
   b.placed[i] = 1
 end
 
--- Takes over new groups, and the objects in them. Static ones are filed here.
+-- Takes over new groups, and the objects in them.
 local function lookAtGroups(b, world)
   if b.isSeen and not registry.hasChanged(b.registry, world.objects) then
     return
@@ -129,9 +129,7 @@ local function lookAtGroups(b, world)
   read.look(b, world.objects)
   b.isSeen = true
   for n = 1, b.enteredCount do
-    if b.entered[n] > b.lastBody then
-      near.file(b, b.entered[n])
-    end
+    near.file(b, b.entered[n])
   end
   for n = 1, b.movedCount do -- static ones that were read again, too
     near.file(b, b.movedList[n])

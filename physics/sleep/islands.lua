@@ -21,10 +21,11 @@
 --                    impact (`ball.impact`, `together.run`); another support or carrier, a hit of
 --                    this update (write); a nudge (`nudge`), a bounded step (`putBefore` in
 --                    bounds); a way out of an overlap (`bury` in overlap, `crowd.run`, `count` in
---                    patience). A body that `heap` keeps in its place (`stillAt`) sleeps all the
---                    same, unless it is buried and not stuck yet.
+--                    patience); an impulse of a slanted pair that falls below a quarter
+--                    (`slant.tell`). A body that `heap` keeps in its place (`stillAt`) sleeps all
+--                    the same, unless it is buried and not stuck yet.
 --     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`), or its
---                    carrier (`carriers.noteJump`)
+--                    carrier (`carriers.noteJump`), or `put` in overlap has parted it from others
 --     isPolled       one of its contacts, or the world, asks for `onStay` (events) or `canCollide`
 --                    (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
@@ -102,7 +103,7 @@ end
 
 --- Takes an object out of the list of awake bodies.
 function islands.drop(b, i)
-  if i <= b.lastBody and b.awakeAt[i] > 0 then
+  if b.awakeAt[i] > 0 then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
     b.awakeList[at], b.awakeAt[last] = last, at
     b.awakeAt[i], b.awakeCount, b.awakenings = 0, b.awakeCount - 1, b.awakenings + 1

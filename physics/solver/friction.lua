@@ -89,8 +89,8 @@ end
 -- there, too (else a bond below k may have stopped both as one block). Where m is not held, gravity
 -- must act that way, and m have lost no speed.
 local function leans(b, list, k, m, sign)
-  local lost = (b.freeSpeed[k] - b.speed[k]) * sign
-  if b.give[k] == 0 or lost < 0 then
+  local lost = b.give[k] > 0 and (b.freeSpeed[k] - b.speed[k]) * sign or -1
+  if lost < 0 then
     return false
   elseif b.held[2 * m + (sign > 0 and 2 or 1)] > 0 then
     return b.give[m] == 0 or b.down[k] == sign or list.bearing[b.bearer[m]] == sign

@@ -49,7 +49,7 @@ end
 -- whether slot i was moved.
 local function try(b, i, j, axis, iIsLow, t)
   local k = 2 * i + 1 - axis
-  if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
+  if b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC or b.nudge[i] == 0 then
     return false
   end
   local distance = detour(b, i, j, axis, t)

@@ -24,7 +24,6 @@
 -- down by as much as it did (`lowered`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local allot = require(root .. ".memory.allot")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
 local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
@@ -100,7 +99,6 @@ local function lower(b, i, most)
   end
   local isLower = height > here + EPSILON and height <= low + EPSILON
   if j ~= 0 and isLower and not shapes.isRound[b.shape[j]] then
-    j = allot.embody(b, j)
     put(b, i, j, k, turn, height)
   end
 end

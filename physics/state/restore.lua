@@ -5,7 +5,6 @@
 -- a step are filled. So the next step finds everything as it was.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local allot = require(root .. ".memory.allot")
 local boxes = require(root .. ".space.boxes")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
@@ -207,27 +206,27 @@ local function forget(b)
 end
 
 local function restoreColumn(b, list, objects, entry)
-  local column, width, usual = b[entry[1]], entry[2], entry[3]
-  local slotOf, last, slots = b.slotOf, layout.lastOf(b, entry[1]), b.restored
-  local model, y, hint = b[usual], width - 1, entry.hint
+  local name, width, usual = entry[1], entry[2], entry[3]
+  local column, kind, slotOf, slots = b[name], b.kind, b.slotOf, b.restored
+  local model, y, hint, isOfMovers = b[usual], width - 1, entry.hint, layout.isOfMovers[name]
   local mayDiffer = not hint or b[hint]
   if hint then
     b[hint] = b[hint] or #list > 0
   end
   for m = 1, mayDiffer and #slots or 0 do
     local k = width * slots[m]
-    if slots[m] <= last then
+    if not isOfMovers or kind[slots[m]] ~= STATIC then
       column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
     end
   end
   for at = 1, #list, 1 + width do
-    local value = list[at + 1]
-    value = entry.isLink and allot.embody(b, slotOf[objects[value]]) or value
-    local slot = slotOf[objects[list[at]]] -- (`embody` may have moved it, and made the column grow)
-    column = b[entry[1]]
-    if slot <= last then
-      local k = width * slot
-      column[k], column[k + y] = value, entry.isLink and value or list[at + 1 + y]
+    local slot, value, other = slotOf[objects[list[at]]], list[at + 1], list[at + 1 + y]
+    if entry.isLink then
+      value = slotOf[objects[value]]
+      other = value
+    end
+    if not isOfMovers or kind[slot] ~= STATIC then
+      column[width * slot], column[width * slot + y] = value, other
     end
   end
 end
@@ -266,7 +265,8 @@ end
 
 local function restoreTouching(b, st, objects)
   for at = 1, #st.touching, 5 do
-    local touching = b.touching[b.slotOf[objects[st.touching[at]]]]
+    local i = b.slotOf[objects[st.touching[at]]]
+    local touching = b.kind[i] ~= STATIC and b.touching[i]
     for side = 1, touching and 4 or 0 do
       touching[constants.SIDES[side]] = objects[st.touching[at + side]] or false
     end
