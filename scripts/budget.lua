@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 617 },
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
-  { "physics/maps", 2356 },
+  { "physics/maps", 2329 },
   { "physics/memory", 707 },
   { "physics/motion", 985 },
   { "physics/narrowphase", 574 },
