@@ -10,11 +10,11 @@ local files = require("spec.support.files")
 
 local BUDGET = {
   { "physics.lua", 83 },
-  { "physics/broadphase", 617 },
+  { "physics/broadphase", 615 },
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
-  { "physics/maps", 2356 },
-  { "physics/memory", 707 },
+  { "physics/maps", 2329 },
+  { "physics/memory", 698 },
   { "physics/motion", 985 },
   { "physics/narrowphase", 574 },
   { "physics/objects", 1304 },
