@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/memory", 698 },
   { "physics/motion", 984 },
   { "physics/narrowphase", 574 },
-  { "physics/objects", 1302 },
+  { "physics/objects", 1300 },
   { "physics/overlaps", 809 },
   { "physics/queries", 955 },
   { "physics/sleep", 81 },
