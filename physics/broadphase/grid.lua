@@ -172,11 +172,18 @@ local function grow(self)
   end
 end
 
-function grid:insert(i)
-  self.count = self.count + 1
-  self.list[self.count] = i
-  self.placeOf[i] = self.count
-  file(self, i, place(self, i))
+--- Puts an object into the grid, or notes that its fat box has changed.
+function grid:put(i)
+  local level, cellX, cellY = place(self, i)
+  if not self.placeOf[i] then
+    self.count = self.count + 1
+    self.list[self.count], self.placeOf[i] = i, self.count
+  elseif keyOf(cellX, cellY, level) == self.key[i] then
+    return
+  else
+    unfile(self, i)
+  end
+  file(self, i, level, cellX, cellY)
   if self.count > self.buckets then
     grow(self)
   end
@@ -189,15 +196,6 @@ function grid:remove(i)
   self.placeOf[last] = at
   self.placeOf[i] = nil
   self.count = self.count - 1
-end
-
---- Notes that the fat box of an object has changed.
-function grid:update(i)
-  local level, cellX, cellY = place(self, i)
-  if keyOf(cellX, cellY, level) ~= self.key[i] then
-    unfile(self, i)
-    file(self, i, level, cellX, cellY)
-  end
 end
 
 -- Overlaps of many objects are found in stages, each of which is one loop (jit: 3):
