@@ -14,7 +14,7 @@ local BUDGET = {
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
   { "physics/maps", 2329 },
-  { "physics/memory", 697 },
+  { "physics/memory", 711 },
   { "physics/motion", 984 },
   { "physics/narrowphase", 574 },
   { "physics/objects", 1300 },

@@ -19,6 +19,7 @@ local types = {} -- of the FFI
 ---@type boolean, any
 local isKnown, ffi = not jit, nil
 -- LuaJIT's function that makes a table with room.
+---@type boolean, any
 local hasRoom, newTable = false, nil
 if jit then
   hasRoom, newTable = pcall(require, "table.new")
