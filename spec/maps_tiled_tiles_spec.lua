@@ -406,7 +406,7 @@ describe("world:loadTiled, tilesets in files of their own", function()
     local unknown = "where the map lies is not known: give the option folder"
     assert.equal(HEAD .. unknown, show(load(newLand("earth.lua"))))
     for text, expected in pairs({
-      ["return 5"] = "is no table",
+      ["return 5"] = "is no tileset",
       ["return {}"] = "is no tileset",
       ["error('no luck')"] = "cannot read ",
       ["<set>"] = "cannot read ",
