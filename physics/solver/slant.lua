@@ -249,9 +249,7 @@ end
 --- Notes the hits of pairs that begin to touch in this step, and forgets those that did not come to
 --- that; and with which impulses pairs press each other: the next step begins with these. (A pair
 --- that lies still keeps its own, so that an island at rest does not change. But it does not keep
---- that of a landing: balls that stood on a belt shook the last one off again and again.) A body
---- that has met one that was put back stops: that has pushed it, but stays. (Loose balls in heaps
---- went to and fro for ever.)
+--- that of a landing: balls that stood on a belt shook the last one off again and again.)
 function slant.tell(b)
   local s, last, live, touches = b.slants, b.lastImpulse, b.live, b.touches
   for n = 1, b.liveCount do
@@ -262,10 +260,6 @@ function slant.tell(b)
   for c = 1, s.count do
     local p, i, j = s.pair[c], s.one[c], s.other[c]
     local impulse = s.isFlush[c] and s.impulse[c] or 0.0
-    local isOne = (b.stillAt[i] == b.solveStamp) ~= (b.stillAt[j] == b.solveStamp)
-    if isOne and s.time[c] * s.impulse[c] > 0 then
-      path.holdBack(b, b.stillAt[i] == b.solveStamp and j or i)
-    end
     if not (isStill(b, i) and isStill(b, j)) then
       last[p] = impulse
     elseif impulse < KEPT * last[p] then
