@@ -10,6 +10,7 @@
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
 local keyOrder = require(root .. ".memory.keyOrder")
+local leave = require(root .. ".memory.compiler").leave
 local properties = require(root .. ".maps.properties")
 
 local NONE = {}
@@ -241,13 +242,7 @@ function recall.finish(world, st, layers, objects)
   end
 end
 
-require(root .. ".memory.compiler").leave(
-  recall.place,
-  snapshotOf,
-  recall.save,
-  recall.begin,
-  recall.find,
-  recall.finish
-)
+leave(recall.place, snapshotOf, recall.save)
+leave(recall.begin, recall.find, recall.finish)
 
 return recall
