@@ -3,7 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "14552558984513",
-  games5000001 = "294313402",
-  games5000004 = "1765865009",
-  games5000009 = "1215813860",
+  games5000001 = "29297689",
+  games5000004 = "1510097899",
+  games5000009 = "378289547",
 }

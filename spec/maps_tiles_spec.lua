@@ -248,7 +248,7 @@ describe("world:addTiles", function()
   it("digs and comes and goes at a cost that does not depend on the size of its group", function()
     local few, many = costsOf(20), costsOf(80)
     for n, cost in ipairs(few) do
-      assert(many[n] < 1.2 * cost + 2, ("%d: %g, %g"):format(n, cost, many[n]))
+      assert(many[n] < 1.25 * cost + 2, ("%d: %g, %g"):format(n, cost, many[n]))
     end
   end)
 

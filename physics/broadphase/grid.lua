@@ -79,9 +79,7 @@ function grid.new(b, cellSize, comparesAll)
     placeOf = {}, -- place in the list, nil: it is not in the grid
     key = {}, -- of the cell
     next = {}, -- in the bucket
-    previous = {},
-    bucket = {},
-    level = {},
+    previous = {}, -- below 0: it is the first in the bucket of that number
     -- by level
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly below the cell size
@@ -137,17 +135,16 @@ local function file(self, i, level, cellX, cellY)
   local bucket = bucketOf(hash(cellX, cellY, level), self.buckets, 1 / self.buckets)
   local heads = self.heads
   local first = heads[bucket]
-  self.next[i], self.previous[i], self.bucket[i] = first, 0, bucket
+  self.next[i], self.previous[i], self.key[i] = first, -bucket, keyOf(cellX, cellY, level)
   self.previous[first], heads[bucket] = i, i
-  self.level[i], self.key[i] = level, keyOf(cellX, cellY, level)
   self.members[level], self.highest = self.members[level] + 1, max(self.highest, level)
 end
 
 local function unfile(self, i)
-  local before, after = self.previous[i], self.next[i]
-  self.next[before], self.previous[after] = after, before
-  self.heads[self.bucket[i] * (1 - min(before, 1))] = after -- only if it was the first
-  self.members[self.level[i]] = self.members[self.level[i]] - 1
+  local before, after, level = self.previous[i], self.next[i], self.key[i] % KEY_Y
+  self.next[max(before, 0)], self.previous[after] = after, before
+  self.heads[max(-before, 0)] = after
+  self.members[level] = self.members[level] - 1
 end
 
 -- Returns the cell to which slot i belongs: level, x, y. Extends the reach of the level, since an
@@ -175,11 +172,18 @@ local function grow(self)
   end
 end
 
-function grid:insert(i)
-  self.count = self.count + 1
-  self.list[self.count] = i
-  self.placeOf[i] = self.count
-  file(self, i, place(self, i))
+--- Puts an object into the grid, or notes that its fat box has changed.
+function grid:put(i)
+  local level, cellX, cellY = place(self, i)
+  if not self.placeOf[i] then
+    self.count = self.count + 1
+    self.list[self.count], self.placeOf[i] = i, self.count
+  elseif keyOf(cellX, cellY, level) == self.key[i] then
+    return
+  else
+    unfile(self, i)
+  end
+  file(self, i, level, cellX, cellY)
   if self.count > self.buckets then
     grow(self)
   end
@@ -192,15 +196,6 @@ function grid:remove(i)
   self.placeOf[last] = at
   self.placeOf[i] = nil
   self.count = self.count - 1
-end
-
---- Notes that the fat box of an object has changed.
-function grid:update(i)
-  local level, cellX, cellY = place(self, i)
-  if keyOf(cellX, cellY, level) ~= self.key[i] then
-    unfile(self, i)
-    file(self, i, level, cellX, cellY)
-  end
 end
 
 -- Overlaps of many objects are found in stages, each of which is one loop (jit: 3):
@@ -351,7 +346,8 @@ grid.cellAt, grid.bucketOf, grid.mostCells, grid.contact = cellAt, bucketOf, mos
 
 --- Returns the cell of slot i, counted from 0, 0, and its width in px.
 function grid:cellOf(i)
-  local level, key = self.level[i], self.key[i]
+  local key = self.key[i]
+  local level = key % KEY_Y
   local cellX = floor(key / KEY_X + 0.5)
   return cellX, (key - level - cellX * KEY_X) / KEY_Y, self.cell * 2 ^ level
 end

@@ -142,11 +142,7 @@ local function enlarge(b, strays, count, margin)
     local steps = AHEAD * (0.6 + i * turn % 97 / 120) -- so that not all leave them at once
     fatten(b, 2 * i, farthest, margin, steps)
     fatten(b, 2 * i + 1, farthest, margin, steps)
-    if broadphase.placeOf[i] then
-      broadphase:update(i)
-    else
-      broadphase:insert(i)
-    end
+    broadphase:put(i)
   end
 end
 

@@ -40,19 +40,20 @@ local function fill(b, rows, n, first, last)
   end
 end
 
--- Gives the slots in places `first` to `last` of a list the initial values of some columns. (All
--- loops are long, and there are no branches: a slot has 1, 2 or 4 places.)
-local function blank(b, rows, slots, first, last)
+--- Gives the slots in places `first` to `last` of a list the initial values of some columns.
+function allot.blank(b, rows, slots, first, last)
   for n = 1, first <= last and #rows.names or 0 do
     local column, value, width = b[rows.names[n]], rows.values[n], rows.widths[n]
-    local shift, second, third = floor(width * 0.25), floor(width * 0.25), floor(width * 0.5)
-    for m = first, last do
-      local at = width * slots[m] + shift -- sides are 1 to 4
-      column[at], column[at + second] = value, value
-      column[at + third], column[at + width - 1] = value, value
+    local shift = width == 4 and 1 or 0 -- sides are 1 to 4
+    for place = shift, shift + width - 1 do
+      for m = first, last do
+        column[width * slots[m] + place] = value
+      end
     end
   end
 end
+
+local blank = allot.blank
 
 -- Makes room in some columns for the slot `last`. Slots that are not in use have the first values.
 -- (They are filled column by column. Slot by slot, 20 000 tiles take twice as long.)

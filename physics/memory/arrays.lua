@@ -23,7 +23,7 @@ local isKnown, ffi = not jit, nil
 -- of the cache (piles 9 % slower): each is longer by one place in so many.
 local SPREAD = 16
 -- Places in the first array of a column, or that a table has to spare; by how much an array grows.
-local FIRST, GROWTH, SPARE = 4, 1.5, 1.125
+local FIRST, GROWTH, SPARE = 4, 1.25, 1.125
 
 -- Returns the FFI if columns are typed arrays.
 local function typed()

@@ -29,7 +29,7 @@ local function moveKinematic(b, k, dt)
   b.to[k] = (b.remaining > 1 and b.from[k] + b.displacement[k] or goal) + v * dt
   b.writtenSpeed[k] = b.displacement[k] / dt
   v = v + b.writtenSpeed[k]
-  b.start[k], b.onset[k], b.speed[k], b.freeSpeed[k], b.accel[k] = v, v, v, v, 0
+  b.start[k], b.speed[k], b.freeSpeed[k], b.accel[k] = v, v, v, 0
   b.held[2 * k + 1], b.held[2 * k + 2] = 1, 1
 end
 
@@ -40,7 +40,7 @@ end
 local function fly(b, dt)
   local list, kind, isFree, air, brake = b.awakeList, b.kind, b.isFree, b.flowAir, b.flowDrag
   local velocity, pull, push, from, origin = b.velocity, b.flowPull, b.push, b.from, b.origin
-  local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
+  local start, speed, freeSpeed = b.start, b.speed, b.freeSpeed
   local to, displacement, accel, give, inverseMass =
     b.to, b.displacement, b.accel, b.give, b.inverseMass
   local squeezed, held, swept = b.squeezed, b.held, b.swept
@@ -62,8 +62,7 @@ local function fly(b, dt)
         startX, startY = forces.flight(b, i, dt)
       end
       local endX, endY = speed[k], speed[m]
-      start[k], start[m], onset[k], onset[m] = startX, startY, startX, startY
-      freeSpeed[k], freeSpeed[m] = endX, endY
+      start[k], start[m], freeSpeed[k], freeSpeed[m] = startX, startY, endX, endY
       to[k], to[m] = x + displacement[k], y + displacement[m]
       accel[k], accel[m] = (endX - startX) / dt, (endY - startY) / dt
     end
@@ -91,7 +90,7 @@ end
 -- crowd that would fall.
 local function ride(b, dt)
   local list, kind, carried, accel, to = b.awakeList, b.kind, b.carried, b.accel, b.to
-  local start, onset, speed, freeSpeed = b.start, b.onset, b.speed, b.freeSpeed
+  local start, speed, freeSpeed = b.start, b.speed, b.freeSpeed
   local isNeeded = b.hasCarriers or b.driftedCount > 0 or b.hasOverlaps
   for n = 1, isNeeded and b.awakeCount or 0 do
     local i = list[n]
@@ -99,7 +98,7 @@ local function ride(b, dt)
     for k = 2 * i, kind[i] == DYNAMIC and 2 * i + 1 or 0 do
       local gift = carried[k]
       local v = start[k] + gift
-      start[k], onset[k], speed[k], to[k] = v, v, speed[k] + gift, to[k] + gift * dt
+      start[k], speed[k], to[k] = v, speed[k] + gift, to[k] + gift * dt
       if isBuried then
         b.give[k], b.held[2 * k + 1], b.held[2 * k + 2] = 0, FAR, FAR
         path.finish(b, k, b.from[k], 0.0, 0.0)

@@ -112,12 +112,11 @@ function near.file(b, i)
   local right, bottom = object.x + object.width + MARGIN, object.y + object.height + MARGIN
   if b.placed[i] == 0 then
     fatLow[k], fatLow[m], fatHigh[k], fatHigh[m] = left, top, right, bottom
-    b.broadphase:insert(i)
   else
     fatLow[k], fatLow[m] = min(fatLow[k], left), min(fatLow[m], top)
     fatHigh[k], fatHigh[m] = max(fatHigh[k], right), max(fatHigh[m], bottom)
-    b.broadphase:update(i)
   end
+  b.broadphase:put(i)
   b.placed[i] = 1
 end
 

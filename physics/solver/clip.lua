@@ -41,12 +41,9 @@ local walk = require(root .. ".solver.walk")
 
 local clip = {}
 
-local AXIS, APART, SLANTED, ENTERED =
-  constants.AXIS, contacts.APART, contacts.SLANTED, contacts.ENTERED
+local APART, SLANTED, ENTERED = contacts.APART, contacts.SLANTED, contacts.ENTERED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
-local EPSILON = constants.EPSILON
-local neighbours = links.neighbours
-local isBox, isRound = shapes.isBox, shapes.isRound
+local EPSILON, neighbours = constants.EPSILON, links.neighbours
 local floor, huge, max = math.floor, math.huge, math.max
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
@@ -131,7 +128,7 @@ end
 -- Whether slot j, of pair p, stops box i, and does not give way (round and one-way objects: never).
 local function isWall(b, p, i, j)
   local isFirm = b.kind[j] == STATIC or b.kind[j] == KINEMATIC and counting < FIXED
-  return isFirm and not isRound[b.shape[j]] and not b.passing[p] and filter.blocks(b, i, j)
+  return isFirm and not shapes.isRound[b.shape[j]] and not b.passing[p] and filter.blocks(b, i, j)
 end
 
 -- Returns the wall that box i would be deepest in at (x, y), at moment t; nil: it would be in none.
@@ -222,23 +219,20 @@ end
 
 -- Clipping ----------------------------------------------------------------------------------------
 
--- In a corner an edge, half-plane n, also stops box i across gravity: notes that side as pressed.
-local function block(b, i, n)
-  local t = 1 - AXIS[
-    side[n] --[[@as integer]]
-  ]
-  local across = t == 0 and nx[n] or ny[n]
-  if across ~= 0 then
-    local work, at = b.clipWork, 4 * i + 2 * t + (across < 0 and 2 or 1)
-    b.pressedAt[at], b.blockedCount = b.solveStamp, b.blockedCount + 1
-    work.blocked[b.blockedCount], work.blockedBy[b.blockedCount] = at, wall[n]
-  end
-end
-
--- Notes that a face with such a normal stops body k on one side of an axis.
-local function stop(b, k, normal)
-  if normal ~= 0 then
-    b.clipWork.loose[2 * k + (normal < 0 and 2 or 1)] = 0
+-- Notes that half-plane n stops box i on the sides to which its face looks. In a corner of two an
+-- edge also stops the box across gravity: notes that side as pressed.
+local function stop(b, i, n)
+  local work, count = b.clipWork, b.blockedCount + 1
+  for axis = 0, 1 do
+    local normal = axis == 0 and nx[n] or ny[n]
+    local at = 4 * i + 2 * axis + (normal < 0 and 2 or 1)
+    if normal ~= 0 then
+      work.loose[at] = 0
+    end
+    if normal ~= 0 and planes.count == 2 and axis ~= (side[n] > 2 and 1 or 0) then
+      b.pressedAt[at], b.blockedCount = b.solveStamp, count
+      work.blocked[count], work.blockedBy[count] = at, wall[n]
+    end
   end
 end
 
@@ -250,12 +244,8 @@ local function put(b, i, x, y)
     b.clipWork.loose[at] = b.solveStamp
   end
   for n = 1, planes.count do
-    stop(b, k, nx[n])
-    stop(b, k + 1, ny[n])
+    stop(b, i, n)
     b.pressedAt[4 * i + side[n]] = b.solveStamp
-    if planes.count == 2 then
-      block(b, i, n)
-    end
     least[n] = speedAlong(b, n, n)
   end
   local vx, vy = planes.nearest(b.speed[k], b.speed[k + 1], huge)
@@ -277,12 +267,9 @@ local function isSqueezed(b, i)
   local isCaught = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0
   for _, j, p in neighbours(b, i) do
     local isClose = touch.haveFaces(b, i, j) and (isCaught or boxes.gap(b, to, i, j) < -EPSILON)
-    if areCaught(b, p, i, j) then
+    local isIn = isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON)
+    if areCaught(b, p, i, j) or isIn and isWall(b, p, i, j) then
       return true
-    elseif isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON) then
-      if isWall(b, p, i, j) then
-        return true
-      end
     end
   end
   return false
@@ -311,7 +298,7 @@ local function clipAll(b)
   local list, count, hasClipped = b.clipWork.list, 0, false
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    local isMovable = b.kind[i] == DYNAMIC and isBox[b.shape[i]] and not b.buried[i]
+    local isMovable = b.kind[i] == DYNAMIC and shapes.isBox[b.shape[i]] and not b.buried[i]
     if isMovable and isSqueezed(b, i) then
       count = count + 1
       list[count] = i

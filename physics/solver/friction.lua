@@ -71,17 +71,14 @@ end
 -- Chooses the support of body k, of which contact c is one more candidate. The one with the widest
 -- common edge wins, and of equal ones the first in the order of the world.
 local function chooseSupport(b, list, k, c, other)
-  local best = b.bearer[k]
-  if best == 0 then
-    b.bearer[k] = c
-    return
+  local best, isBetter = b.bearer[k], true
+  if best ~= 0 then
+    local wider = list.width[c] - list.width[best]
+    local bestOther = list.bearing[best] > 0 and list.high[best] or list.low[best]
+    local isFirst = b.rank[floor(other * 0.5)] < b.rank[floor(bestOther * 0.5)]
+    isBetter = wider > EPSILON or (wider > -EPSILON and isFirst)
   end
-  local wider = list.width[c] - list.width[best]
-  local bestOther = list.bearing[best] > 0 and list.high[best] or list.low[best]
-  local isFirst = b.rank[floor(other * 0.5)] < b.rank[floor(bestOther * 0.5)]
-  if wider > EPSILON or (wider > -EPSILON and isFirst) then
-    b.bearer[k] = c
-  end
+  b.bearer[k] = isBetter and c or best
 end
 
 -- Returns whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1): it

@@ -87,11 +87,10 @@ end
 function nudge.run(b)
   local hasMoved = false
   for axis = 0, 1 do
-    local list, size, pressed = b.contacts[axis], b.size, b.pressed
-    local low, high, separation, pair = list.low, list.high, list.separation, list.pair
+    local list = b.contacts[axis]
     for c = 1, list.count do
-      local kl, kh = low[c], high[c]
-      if pressed[pair[c]] == 1 and separation[c] == size[kl] then
+      local kl, kh = list.low[c], list.high[c]
+      if b.pressed[list.pair[c]] == 1 and list.separation[c] == b.size[kl] then
         local i, j = floor(kl * 0.5), floor(kh * 0.5)
         hasMoved = nudge.correct(b, i, j, axis, 0) or hasMoved
       end

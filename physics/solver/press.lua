@@ -51,7 +51,6 @@ local yielding = require(root .. ".narrowphase.yielding")
 local press = {}
 
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local along = slant.along
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Passes over the rows, and those over the places after them.
 local PASSES, SHOCKS = 16, 6
@@ -78,7 +77,7 @@ local ROOM = 0.1
 -- Returns by how much the bodies of row c end nearer to each other than they may be, px.
 local function depthOf(b, c)
   local s = b.slants
-  return s.least[c] - along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
+  return s.least[c] - slant.along(b.to, s.one[c], s.other[c], s.nx[c], s.ny[c])
 end
 
 -- Returns whether plane c is new, or violated while one of its bodies has another path than at the
@@ -91,29 +90,19 @@ local function needsPress(b, c, ofAll)
   return s.isNew[c] or isDeep and s.total[c] ~= 0
 end
 
---- Returns whether there is a new plane, or a violated one, of changed bodies or of all (`ofAll`).
-function press.isNeeded(b, ofAll)
-  for c = 1, b.slants.count do
-    if needsPress(b, c, ofAll) then
-      return true
-    end
-  end
-  return false
-end
-
--- Marks the dynamic bodies of planes that are new or violated, and the bodies that touch these,
--- directly or through others. All others are solved already, and do not depend on these.
-local function spread(b, ofAll)
-  local s, kind = b.slants, b.kind
+-- Marks the dynamic bodies of planes that are new or violated. Returns whether there are any.
+local function markNeeded(b, ofAll)
+  local s, kind, isAny = b.slants, b.kind, false
+  s.stamp = s.stamp + 1
   for c = 1, s.count do
     if needsPress(b, c, ofAll) then
       local i, j = s.one[c], s.other[c]
-      s.isNew[c] = false
+      s.isNew[c], isAny = false, true
       s.mark[i], s.mark[j] =
         kind[i] == DYNAMIC and s.stamp or 0, kind[j] == DYNAMIC and s.stamp or 0
     end
   end
-  heap.spread(b, s.mark, s.stamp)
+  return isAny
 end
 
 -- Adds a contact along an axis as row c, if one of its bodies is marked, none is squeezed, and they
@@ -138,17 +127,19 @@ local function addContact(b, list, n, c)
   return true
 end
 
--- Lists the rows to be solved: from below to above, then in the order of the world. Planes keep
--- their numbers; contacts along an axis of the same bodies get the numbers behind these.
-local function listRows(b, ofAll)
+-- Lists the rows to be solved, those of marked bodies and of the bodies that touch these, directly
+-- or through others: from below to above, then in the order of the world. (All others are solved
+-- already, and do not depend on these.) Planes keep their numbers; contacts along an axis of the
+-- same bodies get the numbers behind these.
+local function listRows(b)
   local s, last = b.slants, b.slants.count
-  s.rows, s.stamp = 0, s.stamp + 1
+  s.rows = 0
   for c = s.kept + 1, s.count do
     s.new[c - s.kept] = c
   end
   sort.merge(s.base, s.kept, s.new, s.count - s.kept, s.height, s.first, s.second)
   s.kept = s.count
-  spread(b, ofAll)
+  heap.spread(b, s.mark, s.stamp)
   for n = 1, s.count do
     local c = s.base[n]
     if s.mark[s.one[c]] == s.stamp or s.mark[s.other[c]] == s.stamp then
@@ -163,70 +154,6 @@ local function listRows(b, ofAll)
   end
   sort.merge(s.order, s.rows, s.new, last - s.count, s.height, s.first, s.second)
   s.rows = s.rows + last - s.count
-end
-
--- Passes ------------------------------------------------------------------------------------------
-
--- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`sweep`
--- has it written out: with a call hundreds of circles cost 9 % more without the trace compiler.)
-local function pushApart(column, s, c, more)
-  local k, m = 2 * s.one[c], 2 * s.other[c]
-  column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]
-  column[m], column[m + 1] = column[m] - more * s.ex[c], column[m + 1] - more * s.ey[c]
-end
-
--- Computes how the two bodies of each row give way, and pushes those apart that begin with an
--- impulse of the last step. `isShock`: the lower body does not give way.
-local function weigh(b, isShock)
-  local s, down, give = b.slants, b.down, b.give
-  for n = 1, s.rows do
-    local c = s.order[n]
-    local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
-    local k, m = 2 * i, 2 * j
-    local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
-    local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
-    local isInVice = s.viceAt[i] == b.solveStamp or s.viceAt[j] == b.solveStamp
-    local mayHold = isShock and give[k] > 0 and give[m] > 0 and not isInVice
-    if mayHold and share < -ABOVE then
-      jx, jy = 0.0, 0.0
-    elseif mayHold and share > ABOVE then
-      ix, iy = 0.0, 0.0
-    end
-    local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
-    s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
-    s.total[c], s.lift[c] = nx * (dx + ex) + ny * (dy + ey), 0.0
-    if s.start[c] ~= 0 then
-      s.push[c], s.impulse[c] = s.start[c] * b.dt, s.start[c]
-      pushApart(b.to, s, c, s.push[c])
-      pushApart(b.speed, s, c, s.impulse[c])
-      s.start[c] = 0.0
-    end
-  end
-end
-
--- Makes passes over a column: the places or the speeds at the end of the step. `sum` holds the push
--- of each row so far. A row whose bodies have left each other again takes its push back.
-local function sweep(b, column, sum, passCount, isOfSpeeds)
-  local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
-  local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
-  local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
-  for pass = 1, passCount do
-    local eager = pass < passCount - 1 and eagerness or 1.0
-    for n = 1, s.rows do
-      local c = order[n]
-      if total[c] > 0 and (not isOfSpeeds or isFlush[c] or sum[c] > 0) then
-        local k, m = 2 * one[c], 2 * other[c]
-        local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
-        local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
-        local more = max(want, -sum[c])
-        sum[c] = sum[c] + more
-        if more ~= 0 then
-          column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
-          column[m], column[m + 1] = column[m] - more * ex[c], column[m + 1] - more * ey[c]
-        end
-      end
-    end
-  end
 end
 
 -- Walls -------------------------------------------------------------------------------------------
@@ -254,10 +181,8 @@ end
 
 -- Returns how far body k is from where it began, or how fast it is.
 local function lengthOf(b, column, k, isOfSpeeds)
-  local x, y = column[k], column[k + 1]
-  if not isOfSpeeds then
-    x, y = x - b.origin[k], y - b.origin[k + 1]
-  end
+  local x = column[k] - (isOfSpeeds and 0.0 or b.origin[k])
+  local y = column[k + 1] - (isOfSpeeds and 0.0 or b.origin[k + 1])
   return sqrt(x * x + y * y)
 end
 
@@ -290,6 +215,72 @@ local function leaveWalls(b, column, isOfSpeeds)
       s.viceAt[i] = b.solveStamp
     end
   end
+end
+
+-- Passes ------------------------------------------------------------------------------------------
+
+--- Pushes the bodies of row c apart by `more`: changes their places, or their velocities. (`solve`
+--- has it written out: with a call hundreds of circles cost 9 % more without the trace compiler.)
+function press.pushApart(column, s, c, more)
+  local k, m = 2 * s.one[c], 2 * s.other[c]
+  column[k], column[k + 1] = column[k] + more * s.dx[c], column[k + 1] + more * s.dy[c]
+  column[m], column[m + 1] = column[m] - more * s.ex[c], column[m + 1] - more * s.ey[c]
+end
+
+-- Computes how the two bodies of each row give way, and pushes those apart that begin with an
+-- impulse of the last step. `isShock`: the lower body does not give way.
+local function weigh(b, isShock)
+  local s, down, give = b.slants, b.down, b.give
+  for n = 1, s.rows do
+    local c = s.order[n]
+    local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
+    local k, m = 2 * i, 2 * j
+    local ix, iy, jx, jy = ball.weighFree(b, i, j, nx, ny)
+    local share = ((down[k] + down[m]) * nx + (down[k + 1] + down[m + 1]) * ny) * 0.5
+    local isInVice = s.viceAt[i] == b.solveStamp or s.viceAt[j] == b.solveStamp
+    local mayHold = isShock and give[k] > 0 and give[m] > 0 and not isInVice
+    if mayHold and share < -ABOVE then
+      jx, jy = 0.0, 0.0
+    elseif mayHold and share > ABOVE then
+      ix, iy = 0.0, 0.0
+    end
+    local dx, dy, ex, ey = nx * ix, ny * iy, nx * jx, ny * jy
+    s.dx[c], s.dy[c], s.ex[c], s.ey[c] = dx, dy, ex, ey
+    s.total[c], s.lift[c] = nx * (dx + ex) + ny * (dy + ey), 0.0
+    if s.start[c] ~= 0 then
+      s.push[c], s.impulse[c] = s.start[c] * b.dt, s.start[c]
+      press.pushApart(b.to, s, c, s.push[c])
+      press.pushApart(b.speed, s, c, s.impulse[c])
+      s.start[c] = 0.0
+    end
+  end
+end
+
+-- Makes passes over a column, with walls last: the places or the speeds at the end of the step.
+-- `sum` holds the push of each row so far. A row whose bodies have left each other again takes its
+-- push back.
+local function solve(b, column, sum, passCount, isOfSpeeds)
+  local s, eagerness = b.slants, b.isWeightless and EAGER or 1.0
+  local one, other, nx, ny, least = s.one, s.other, s.nx, s.ny, s.least
+  local order, total, isFlush, dx, dy, ex, ey = s.order, s.total, s.isFlush, s.dx, s.dy, s.ex, s.ey
+  for pass = 1, passCount do
+    local eager = pass < passCount - 1 and eagerness or 1.0
+    for n = 1, s.rows do
+      local c = order[n]
+      if total[c] > 0 and (not isOfSpeeds or isFlush[c] or sum[c] > 0) then
+        local k, m = 2 * one[c], 2 * other[c]
+        local rel = (column[k] - column[m]) * nx[c] + (column[k + 1] - column[m + 1]) * ny[c]
+        local want = ((isOfSpeeds and 0.0 or least[c]) - rel) / total[c] * eager
+        local more = max(want, -sum[c])
+        sum[c] = sum[c] + more
+        if more ~= 0 then
+          column[k], column[k + 1] = column[k] + more * dx[c], column[k + 1] + more * dy[c]
+          column[m], column[m + 1] = column[m] - more * ex[c], column[m + 1] - more * ey[c]
+        end
+      end
+    end
+  end
+  leaveWalls(b, column, isOfSpeeds)
 end
 
 -- The end of the step -----------------------------------------------------------------------------
@@ -326,22 +317,19 @@ local function findFlush(b)
   end
 end
 
--- Gives body k the acceleration with which it comes to its place with its speed, tau s after its
--- path began there; at most `most`.
-local function accelerate(b, k, tau, most)
-  local a = 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau
-  path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
-end
-
--- Notes that slot i was pushed.
+-- Notes that slot i was pushed, and gives it the acceleration with which it comes to its place with
+-- its speed; at most that of its free flight.
 local function note(b, i)
-  local k, m, dt = 2 * i, 2 * i + 1, b.dt
+  local first, dt, free, start = 2 * i, b.dt, b.freeSpeed, b.start
   b.deflectedAt[i] = b.solveStamp
-  if b.give[k] > 0 then
-    local x, y = (b.freeSpeed[k] - b.start[k]) / dt, (b.freeSpeed[m] - b.start[m]) / dt
-    local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
-    accelerate(b, k, tau, most)
-    accelerate(b, m, tau, most)
+  if b.give[first] == 0 then
+    return
+  end
+  local x, y = (free[first] - start[first]) / dt, (free[first + 1] - start[first + 1]) / dt
+  local tau, most = (1 - b.time[i]) * dt, max(x, -x, y, -y)
+  for k = first, first + 1 do
+    local a = 2 * (b.speed[k] - (b.to[k] - b.from[k]) / tau) / tau
+    path.finish(b, k, b.to[k], b.speed[k], max(min(a, most), -most))
   end
 end
 
@@ -364,17 +352,14 @@ local function noteAll(b)
   end
 end
 
--- Makes passes over a column, with walls last.
-local function solve(b, column, sum, passCount, isOfSpeeds)
-  sweep(b, column, sum, passCount, isOfSpeeds)
-  leaveWalls(b, column, isOfSpeeds)
-end
-
 --- Pushes new planes apart, violated ones of changed bodies (`ofAll`: of all), and rows of bodies
---- that these connect.
+--- that these connect. Returns whether there are any.
 function press.run(b, ofAll)
   local s = b.slants
-  listRows(b, ofAll)
+  if not markNeeded(b, ofAll) then
+    return false
+  end
+  listRows(b)
   listWalls(b)
   weigh(b, false)
   solve(b, b.to, s.push, PASSES, false)
@@ -383,6 +368,7 @@ function press.run(b, ofAll)
   weigh(b, true)
   solve(b, b.to, s.lift, SHOCKS, false)
   noteAll(b)
+  return true
 end
 
 -- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
@@ -395,15 +381,14 @@ local function rest(b, i)
 end
 
 --- Presses the bodies apart that the rounds have left in each other, finds which planes touch,
---- leaves slow bodies where they were, and finds the heaps. Returns whether there are planes.
+--- leaves slow bodies where they were, and finds the heaps.
 function press.finish(b)
   local s = b.slants
   slant.findLate(b)
   if s.count == 0 then
-    return false
-  elseif press.isNeeded(b, true) then
-    press.run(b, true)
+    return
   end
+  press.run(b, true)
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
     rest(b, s.one[c])
@@ -411,7 +396,6 @@ function press.finish(b)
   end
   pairFinder.run(b, b.awakeList, b.awakeCount)
   heap.spread(b, b.heapWork.inHeap, b.solveStamp)
-  return true
 end
 
 return press

@@ -35,10 +35,8 @@ local slant = {}
 
 local APART, SLANTED = contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local gapIn = ball.gapIn
+local gapIn, slotsOf = ball.gapIn, contacts.slotsOf
 local huge, max, min = math.huge, math.max, math.min
--- Share of the smaller size: the depth from which two leave each other as boxes do.
-local LOST = ball.LOST
 -- Two that can both be moved get a plane although they may not meet if they are nearer than this
 -- share of the smaller size, and slower than that share in a step: others may push them together.
 local NEAR, SLOW = 0.1, 0.25
@@ -73,15 +71,6 @@ function slant.begin(b)
     s.leansAt = {} -- by slot: when something immovable touched it slanted as a step began
   end
   s.count, s.kept = 0, 0
-end
-
--- Returns the slots of pair p, the first in the order of the world first.
-local function slotsOf(b, p)
-  local i, j = b.pairA[p], b.pairB[p]
-  if b.rank[j] < b.rank[i] then
-    return j, i
-  end
-  return i, j
 end
 
 --- Returns how high slots i and j are against the gravity of the world; if one of them is
@@ -156,7 +145,7 @@ function slant.takes(b, p)
   local gap, nx, ny = gapIn(b, b.from, i, j)
   local u, slop = -along(b.speed, i, j, nx, ny), ball.slop(b, i, j)
   local bounces = gap >= -slop and (gap >= -EPSILON or u > 0) and isElastic(b, i, j, u)
-  local isFar = gap > EPSILON or gap < -LOST * ball.smallest(b, i, j)
+  local isFar = gap > EPSILON or gap < -ball.LOST * ball.smallest(b, i, j)
   if bounces or isFar or passes(b, p, i, j, nx, ny, gap < -EPSILON) then
     return false
   end
@@ -195,39 +184,38 @@ local function meeting(b, i, j)
 end
 
 -- Makes a plane of pair p if it is apart and will meet slanted, or is near and slow (one-way
--- objects: never). Returns whether.
+-- objects: never).
 local function findPair(b, p)
   local i, j = slotsOf(b, p)
   local time, nx, ny, gap = meeting(b, i, j)
   if not (time and mayPress(b, i, j) and filter.areSolid(b, i, j)) then
-    return false
+    return
   end
   local u = -along(b.speed, i, j, nx, ny)
   if isElastic(b, i, j, u) or passes(b, p, i, j, nx, ny, false) then
-    return false
+    return
   end
   if b.contact[p] == 0 and time < 1 then
     noteHit(b, p, nx, ny, time, max(u, 0.0)) -- while the paths still lead there
   end
   put(b, p, nx, ny, along(b.from, i, j, nx, ny) - gap, time, u)
-  return true
 end
 
---- Makes planes of the pairs that are apart where the step begins and will meet slanted. Returns
---- whether there are new ones. `isFirst`: bodies that lean on something slanted are left for the
---- next time, since that turns them first.
+--- Makes planes of the pairs that are apart where the step begins and will meet slanted. `isFirst`:
+--- bodies that lean on something slanted are left for the next time, since that turns them first.
 function slant.find(b, isFirst)
   pairFinder.run(b, b.awakeList, b.awakeCount, pairFinder.REACH)
-  local live, touches, pairA, pairB, hasNew = b.live, b.touches, b.pairA, b.pairB, false
+  local live, touches, pairA, pairB = b.live, b.touches, b.pairA, b.pairB
   local stamp, leansAt = b.solveStamp, b.slants.leansAt
   for n = 1, b.liveCount do
     local p = live[n]
     local i, j = pairA[p], pairB[p]
     local waits = isFirst and (leansAt[i] == stamp or leansAt[j] == stamp)
     local isOpen = touches[p] == APART and not waits and ball.isRound(b, i, j)
-    hasNew = isOpen and not isElastic(b, i, j, -huge) and findPair(b, p) or hasNew
+    if isOpen and not isElastic(b, i, j, -huge) then
+      findPair(b, p)
+    end
   end
-  return hasNew
 end
 
 --- Makes a plane of pair p, which meets at moment t in a round and does not bounce. (The two may be

@@ -40,13 +40,12 @@ local yielding = require(root .. ".narrowphase.yielding")
 local snap = {}
 
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local axisOf = path.axisOf
 local max, min = math.max, math.min
 
 -- Returns whether slot i may be lowered, by its own `snap` or with its support: it has begun the
 -- step standing, and does not go up from there. (Circles roll over edges.)
 local function stands(b, i)
-  local k = 2 * i + axisOf(b, i)
+  local k = 2 * i + path.axisOf(b, i)
   return b.support[i] ~= 0
     and (b.snap[i] > 0 or b.kind[b.support[i]] == DYNAMIC)
     and b.down[k] ~= 0 -- it is dynamic
@@ -84,14 +83,14 @@ end
 
 -- Lowers slot i by at most `most` px at each edge.
 local function lower(b, i, most)
-  local axis = axisOf(b, i)
+  local axis = path.axisOf(b, i)
   local k, t = 2 * i + axis, 2 * i + 1 - axis
   local turn, x = b.down[k], b.to[t]
   local x0, here = path.home(b, t), turn * b.to[k]
   local start, low = turn * path.home(b, k), here + most
   local drop = max(here - start, start - here) + most * (1 + max(x - x0, x0 - x))
   ground.list(b, i, x0, x, min(start, here), drop) -- (nudge may have lifted it)
-  local j, height = ground.highest(b, x, here)
+  local j, height = ground.envelope(b, x, x, here)
   if j ~= 0 and height > low + EPSILON then
     b.walkWork.count = 0 -- no path follows the pieces any more
     local _, last = walk.follow(b, x0, x, start, false, most)
@@ -112,7 +111,7 @@ function snap.run(b)
     local i = b.awakeList[n]
     lowered[i] = 0
     if stands(b, i) then
-      local k = 2 * i + axisOf(b, i)
+      local k = 2 * i + path.axisOf(b, i)
       count = count + 1
       list[count], height[i] = i, -b.down[k] * b.to[k]
     end

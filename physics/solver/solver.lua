@@ -109,9 +109,10 @@ end
 -- `isFirst`: nothing was swept yet, so that pairs may be added.
 local function pressRound(b, dt, isFirst)
   for n = 1, b.hasRound and (isFirst and PRESSES or 1) or 0 do
-    local hasNew = isFirst and slant.find(b, n == 1)
-    if hasNew or press.isNeeded(b, isFirst) then
-      press.run(b, isFirst)
+    if isFirst then
+      slant.find(b, n == 1)
+    end
+    if press.run(b, isFirst) then
       b.mustSettle = true -- so that contacts are exactly flush again
       settleLate(b, dt, false)
     elseif n > 1 then

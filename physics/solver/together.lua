@@ -22,10 +22,11 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".narrowphase.ball")
-local filter = require(root .. ".broadphase.filter")
 local impact = require(root .. ".solver.impact")
 local path = require(root .. ".motion.path")
+local press = require(root .. ".solver.press")
 local rules = require(root .. ".narrowphase.rules")
+local slant = require(root .. ".solver.slant")
 local yielding = require(root .. ".narrowphase.yielding")
 
 local together = {}
@@ -41,28 +42,29 @@ local function newList()
     stamp = 0,
     impact = {}, -- its number in the list of the round
     joined = {}, -- by that number: the stamp with which it was listed
+    one = {}, -- the low body
+    other = {}, -- the high body
     nx = {}, -- unit normal to the low body
     ny = {},
-    lowX = {}, -- by how much an impulse of 1 changes the velocity of each, px/s
-    lowY = {},
-    highX = {},
-    highY = {},
+    dx = {}, -- by how much an impulse of 1 changes the velocity of each, px/s
+    dy = {},
+    ex = {},
+    ey = {},
     total = {}, -- and that along the normal
     impulse = {},
     bounce = {}, -- restitution
-    at = {}, -- by slot: when it was listed,
-    vx = {}, -- and its velocity
-    vy = {},
+    at = {}, -- by slot: when it was listed
+    v = {}, -- by body: its velocity
   }
 end
 
--- Returns whether impact n may join: both are solid, one is round, they may bounce, are not deep,
--- and nothing has changed them. (The first impact of a list: `happen` in rounds.)
+-- Returns whether impact n may join: one of the two is round, they may bounce, are not deep, and
+-- nothing has changed them. (The first impact of a list: `happen` in rounds. Those of sensors have
+-- other moments.)
 local function mayJoin(b, n)
   local impacts, round = b.impacts, b.roundStamp
   local i, j, p, axis = impacts.low[n], impacts.high[n], impacts.pair[n], impacts.axis[n]
   return not (b.passing[p] or impacts.isDeep[n])
-    and filter.areSolid(b, i, j)
     and b.inRound[i] ~= round
     and b.inRound[j] ~= round
     and yielding.elasticity(b, i, j) > 0
@@ -70,11 +72,11 @@ local function mayJoin(b, n)
     and not rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, false)
 end
 
--- Adds impact n to the list, and marks its bodies.
-local function join(b, list, n)
-  list.count = list.count + 1
-  list.impact[list.count], list.joined[n] = n, list.stamp
-  list.at[b.impacts.low[n]], list.at[b.impacts.high[n]] = list.stamp, list.stamp
+-- Adds impact c to the list, and marks its bodies.
+local function join(b, list, c)
+  local n, i, j = list.count + 1, b.impacts.low[c], b.impacts.high[c]
+  list.count, list.impact[n], list.joined[c], list.one[n], list.other[n] = n, c, list.stamp, i, j
+  list.at[i], list.at[j] = list.stamp, list.stamp
 end
 
 -- Lists the n-th impact and the later impacts that happen at the same moment and are linked with
@@ -99,18 +101,18 @@ end
 -- Brings the bodies of each impact to their places at moment t, tau s before the end of the step,
 -- and notes their velocities there, how they give way, whether they bounce, and the hits.
 local function prepare(b, list, t, tau)
-  local impacts, dt = b.impacts, b.dt
+  local impacts, dt, v = b.impacts, b.dt, list.v
   for n = 1, list.count do
-    local c = list.impact[n]
-    local i, j = impacts.low[c], impacts.high[c]
+    local c, i, j = list.impact[n], list.one[n], list.other[n]
+    local k, m = 2 * i, 2 * j
     path.advance(b, i, t)
     path.advance(b, j, t)
     local u, a, nx, ny = ball.closing(b, i, j, t, tau)
     local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
-    list.vx[i], list.vy[i] = ball.speedAt(b, 2 * i, tau), ball.speedAt(b, 2 * i + 1, tau)
-    list.vx[j], list.vy[j] = ball.speedAt(b, 2 * j, tau), ball.speedAt(b, 2 * j + 1, tau)
+    v[k], v[k + 1] = ball.speedAt(b, k, tau), ball.speedAt(b, k + 1, tau)
+    v[m], v[m + 1] = ball.speedAt(b, m, tau), ball.speedAt(b, m + 1, tau)
     list.nx[n], list.ny[n], list.impulse[n] = nx, ny, 0.0
-    list.lowX[n], list.lowY[n], list.highX[n], list.highY[n] = nx * ix, ny * iy, nx * jx, ny * jy
+    list.dx[n], list.dy[n], list.ex[n], list.ey[n] = nx * ix, ny * iy, nx * jx, ny * jy
     list.total[n] = nx * nx * (ix + jx) + ny * ny * (iy + jy)
     local isFast = u > 2 * dt * max(a, -a)
     list.bounce[n] = isFast and yielding.elasticity(b, i, j) or 0.0
@@ -118,25 +120,15 @@ local function prepare(b, list, t, tau)
   end
 end
 
--- Gives the two of impact n an impulse.
-local function push(b, list, n, impulse)
-  local c, vx, vy = list.impact[n], list.vx, list.vy
-  local i, j = b.impacts.low[c], b.impacts.high[c]
-  vx[i], vy[i] = vx[i] + impulse * list.lowX[n], vy[i] + impulse * list.lowY[n]
-  vx[j], vy[j] = vx[j] - impulse * list.highX[n], vy[j] - impulse * list.highY[n]
-end
-
 -- Finds the impulses with which no pair closes.
-local function solve(b, list)
-  local impacts, vx, vy = b.impacts, list.vx, list.vy
+local function solve(list)
   for _ = 1, PASSES do
     local most, largest = 0.0, 0.0
     for n = 1, list.count do
-      local i, j = impacts.low[list.impact[n]], impacts.high[list.impact[n]]
-      local u = (vx[j] - vx[i]) * list.nx[n] + (vy[j] - vy[i]) * list.ny[n]
+      local u = -slant.along(list.v, list.one[n], list.other[n], list.nx[n], list.ny[n])
       local more = list.total[n] > 0 and max(u / list.total[n], -list.impulse[n]) or 0.0
       list.impulse[n] = list.impulse[n] + more
-      push(b, list, n, more)
+      press.pushApart(list.v, list, n, more)
       most, largest = max(most, more, -more), max(largest, list.impulse[n])
     end
     if most <= LEAST * largest then
@@ -157,16 +149,15 @@ function together.run(b, n)
   local t = impacts.time[impacts.order[n]]
   local tau = (1 - t) * b.dt
   prepare(b, list, t, tau)
-  solve(b, list)
+  solve(list)
   for m = 1, list.count do
-    push(b, list, m, list.bounce[m] * list.impulse[m])
+    press.pushApart(list.v, list, m, list.bounce[m] * list.impulse[m])
   end
   for m = 1, list.count do
     for side = 1, 2 do
-      local i = side == 1 and impacts.low[list.impact[m]] or impacts.high[list.impact[m]]
-      if b.give[2 * i] > 0 then
-        path.fly(b, 2 * i, list.vx[i], b.accel[2 * i], tau)
-        path.fly(b, 2 * i + 1, list.vy[i], b.accel[2 * i + 1], tau)
+      local i = side == 1 and list.one[m] or list.other[m]
+      for k = 2 * i, b.give[2 * i] > 0 and 2 * i + 1 or 0 do
+        path.fly(b, k, list.v[k], b.accel[k], tau)
       end
       b.deflectedAt[i], b.mustStayAwake[i] = b.solveStamp, true
       b.impactsOf[i] = b.impactsOf[i] + 1
