@@ -172,10 +172,9 @@ end
 -- Reading -----------------------------------------------------------------------------------------
 
 -- Reads static objects again that have other fields now. (An object that a query has seen leave is
--- in no group until all are read.) Lists the slots of all in `b.restored`.
+-- in no group until all are read.) Returns the slots of all.
 local function readStatic(b, objects, odd)
   local slots = {}
-  b.restored = slots
   for m = 1, #odd do
     local object = objects[odd[m]]
     local i, isStatic = b.slotOf[object], object.static or false
@@ -190,6 +189,7 @@ local function readStatic(b, objects, odd)
     local i = b.movedList[n]
     slots[#slots + 1] = b.kind[i] ~= 0 and i or nil -- (it may have left the world since)
   end
+  return slots
 end
 
 -- Memory ------------------------------------------------------------------------------------------
@@ -205,9 +205,9 @@ local function forget(b)
   b.contactCount = 0
 end
 
-local function restoreColumn(b, list, objects, entry)
+local function restoreColumn(b, slots, list, objects, entry)
   local name, width, usual = entry[1], entry[2], entry[3]
-  local column, kind, slotOf, slots = b[name], b.kind, b.slotOf, b.restored
+  local column, kind, slotOf = b[name], b.kind, b.slotOf
   local model, y, hint, isOfMovers = b[usual], width - 1, entry.hint, layout.isOfMovers[name]
   local mayDiffer = not hint or b[hint]
   if hint then
@@ -231,10 +231,9 @@ local function restoreColumn(b, list, objects, entry)
   end
 end
 
-local function restoreMemory(b, st, objects)
-  local slots = b.restored
+local function restoreMemory(b, slots, st, objects)
   for n = 1, #COLUMNS do
-    restoreColumn(b, st.memory[COLUMNS[n][1]], objects, COLUMNS[n])
+    restoreColumn(b, slots, st.memory[COLUMNS[n][1]], objects, COLUMNS[n])
   end
   for n = 1, #slots do
     local i = slots[n]
@@ -248,9 +247,9 @@ local function restoreMemory(b, st, objects)
   end
 end
 
-local function restoreContacts(b, st, objects)
+local function restoreContacts(b, slots, st, objects)
   local list, slotOf = st.contacts, b.slotOf
-  pairFinder.run(b, b.restored, #b.restored)
+  pairFinder.run(b, slots, #slots)
   for at = 1, #list, 2 + #PAIRS do
     local one, other = objects[list[at]], objects[list[at + 1]]
     local p = links.pairOf(b, slotOf[one], slotOf[other])
@@ -313,13 +312,12 @@ function restore.world(world, st)
   place(world, st, objects)
   readStatic(b, objects, odd)
   read.run(b, world.objects)
-  readStatic(b, objects, odd)
+  local slots = readStatic(b, objects, odd)
   events.forget(b.events)
-  restoreMemory(b, st, objects)
-  restoreContacts(b, st, objects)
+  restoreMemory(b, slots, st, objects)
+  restoreContacts(b, slots, st, objects)
   restoreTouching(b, st, objects)
   restoreEvents(b, st, objects)
-  b.restored = {}
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   if b.hasZones then

@@ -70,6 +70,7 @@ describe("typed arrays: no place beyond its end and no old array is used", funct
   local SCENES = {
     { "pile", 60 },
     { "level", 150 },
+    { "hills", 60 },
     { "gas", 60 },
     { "balls", 60 },
     { "zones", 30 },
