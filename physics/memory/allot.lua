@@ -121,9 +121,11 @@ function allot.claim(b, isStatic, coming)
     end
     i = b.slots + 1
     b.slots = i
-    prepare(b, OBJECT, i + coming - 1)
-    prepare(b, BODY, i + coming - 1)
-    prepare(b, MOVER, isStatic and 0 or i + coming - 1)
+    if i >= b.reserved[OBJECT] then
+      prepare(b, OBJECT, i + coming - 1)
+      prepare(b, BODY, i + coming - 1)
+      prepare(b, MOVER, isStatic and 0 or i + coming - 1)
+    end
   end
   b.count = b.count + 1
   return i
