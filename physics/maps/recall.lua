@@ -10,7 +10,6 @@
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
 local keyOrder = require(root .. ".memory.keyOrder")
-local leave = require(root .. ".memory.compiler").leave
 local properties = require(root .. ".maps.properties")
 
 local NONE = {}
@@ -238,7 +237,13 @@ function recall.finish(world, st, layers, objects)
   end
 end
 
-leave(recall.place, snapshotOf, recall.save)
-leave(recall.begin, recall.find, recall.finish)
+require(root .. ".memory.compiler").leave(
+  recall.place,
+  snapshotOf,
+  recall.save,
+  recall.begin,
+  recall.find,
+  recall.finish
+)
 
 return recall
