@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 610 },
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
-  { "physics/maps", 2329 },
+  { "physics/maps", 2310 },
   { "physics/memory", 711 },
   { "physics/motion", 984 },
   { "physics/narrowphase", 574 },

@@ -27,8 +27,6 @@ function recall.mapsOf(world)
   return b.maps
 end
 
-local mapsOf = recall.mapsOf
-
 --- Returns by which name and as which record (its field `tile`, `tiled` or `ldtk`) an object was
 --- loaded; nil: it was not.
 function recall.nameOf(object)
@@ -45,11 +43,9 @@ function recall.nameOf(object)
   end
 end
 
-local nameOf = recall.nameOf
-
 --- Notes that a layer of tiles is in the world, or is not.
 function recall.setHere(layer, isHere)
-  local maps, name = mapsOf(layer.world), layer._name
+  local maps, name = recall.mapsOf(layer.world), layer._name
   maps.here[name], maps.away[name] = isHere and layer or nil, not isHere and layer or nil
 end
 
@@ -67,7 +63,7 @@ end
 ---@param layers table[] physics.Tiles
 ---@param waiting physics.Object[]? the objects, if they are not a part of the world yet
 function recall.enter(world, layers, waiting)
-  local here = mapsOf(world).here
+  local here = recall.mapsOf(world).here
   for _, layer in ipairs(layers) do
     while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
@@ -83,7 +79,7 @@ end
 
 --- Brings maps, and tiles with the objects that wait, to where the world is now.
 function recall.place(world)
-  local maps, x, y = mapsOf(world), world._shiftedX, world._shiftedY
+  local maps, x, y = recall.mapsOf(world), world._shiftedX, world._shiftedY
   local lists = { maps.here, maps.away }
   for _, atlas in next, maps.atlases, nil do
     lists[#lists + 1] = atlas.maps
@@ -119,7 +115,7 @@ local function saveNames(maps, loaded, objects, count)
   local known, names, at = maps.objects, maps.names, 0
   for n = 1, count do
     if not rawequal(known[n], objects[n]) then
-      known[n], names[n] = objects[n], nameOf(objects[n]) or false
+      known[n], names[n] = objects[n], recall.nameOf(objects[n]) or false
     end
     if names[n] then
       loaded[at + 1], loaded[at + 2], at = n, names[n], at + 2
@@ -133,7 +129,7 @@ end
 --- Adds to the state `out` its part about maps (see state/format). `tables`, the objects by number,
 --- gets the layers and levels to which the same world goes back.
 function recall.save(world, out, tables)
-  local maps = mapsOf(world)
+  local maps = recall.mapsOf(world)
   saveNames(maps, out.loaded, tables, out.count)
   out.tiles, out.maps, tables.layers, tables.made = {}, {}, {}, {}
   for name, layer in next, maps.here, nil do
@@ -163,7 +159,7 @@ end
 --- name. Errors: a map cannot be read; nothing has changed then.
 ---@param tables table? see `save`, of a state of this world
 function recall.begin(world, st, tables)
-  local maps, layers, made = mapsOf(world), {}, tables and tables.made or {}
+  local maps, layers, made = recall.mapsOf(world), {}, tables and tables.made or {}
   for _, name in ipairs(tables and {} or keyOrder.sorted(maps.atlases)) do
     made[name] = maps.atlases[name]:_read(st.maps[name] or {})
   end
@@ -190,7 +186,7 @@ end
 -- been dug out.
 local function addNames(byName, list, isOfLevel)
   for i = 1, type(list) == "table" and #list or 0 do
-    local name, record = nameOf(list[i])
+    local name, record = recall.nameOf(list[i])
     if name and not (isOfLevel and record.tiles) then
       byName[name] = byName[name] or list[i]
     end
@@ -201,7 +197,7 @@ end
 ---@param layers table<string, physics.Tiles> see `begin`
 function recall.find(world, st, layers)
   local byName, named = {}, {}
-  for _, atlas in next, mapsOf(world).atlases, nil do
+  for _, atlas in next, recall.mapsOf(world).atlases, nil do
     addNames(byName, atlas.objects, true) -- its map still has an object that has left the world
   end
   for _, members in next, world.objects, nil do
@@ -227,7 +223,7 @@ function recall.finish(world, st, layers, objects)
   end
   recall.place(world)
   for n = 1, next(others) and st.count or 0 do
-    local _, record = nameOf(objects[n])
+    local _, record = recall.nameOf(objects[n])
     if record and others[record.tiles] then
       cells.register(record.tiles, objects[n])
     end
