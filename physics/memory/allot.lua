@@ -1,7 +1,7 @@
 ---@diagnostic disable
 --- Gives each object a slot, that is an index in the columns of a world, and makes the columns.
 --
--- Writes all columns of new objects.
+-- Writes the initial values of all columns of new objects, and makes those of pairs.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local arrays = require(root .. ".memory.arrays")
@@ -17,7 +17,7 @@ local OBJECT, BODY, MOVER = layout.OBJECT, layout.BODY, layout.MOVER
 -- In front of many static objects that come at once, there is a free slot for a mover in so many.
 local SHARE = 64
 
---- Makes room in some columns for the index `last`.
+--- Makes room in some columns for the index `last`, without values.
 function allot.reserve(b, rows, last)
   local old = b.reserved[rows] ---@type number
   if last < old then
@@ -107,7 +107,8 @@ local function leaveRoom(b, count)
   b.slots = b.slots + count
 end
 
---- Takes a slot for a new object and returns it. All its columns have their initial values.
+--- Takes a slot for a new object and returns it. All its columns have their initial values, but
+--- those of movers may not reach it yet: for a mover `allot.addMover` must follow.
 --- `coming`: it is the first of so many. (Movers get slots that are close together, before the
 --- static ones that come with them: the columns of movers end with the last mover.)
 function allot.claim(b, isStatic, coming)
@@ -131,7 +132,8 @@ function allot.claim(b, isStatic, coming)
   return i
 end
 
---- Gives the columns that steps write their first values: an object gets another kind.
+--- Gives the columns that steps write their first values: an object gets another kind, and still
+--- has the old one.
 function allot.clear(b, i)
   b.stack[1] = i
   blank(b, BODY, b.stack, 1, 1)

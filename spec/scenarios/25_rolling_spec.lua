@@ -236,3 +236,22 @@ describe("slope and radius: a marble run", function()
     end)
   end
 end)
+
+-- It ends each step on the tangent, a little beside the stone.
+small.rows("onBegin: a ball that rolls over a round stone touches it all the way: {1}", {
+  { "fast", 0 },
+  { "slowly", 5 },
+}, function(_, airFriction)
+  local world, count = physics.newWorld({ gravity = GRAVITY }), 0
+  world:add("stones", { x = 100, y = 200, radius = 100, static = true })
+  local ball = { radius = 10, airFriction = airFriction }
+  ball.x, ball.y = 190 + 110 * 0.342, 290 - 110 * math.sqrt(1 - 0.342 * 0.342)
+  function ball.onBegin()
+    count = count + 1
+  end
+  ball.onEnd = ball.onBegin
+  world:add("balls", ball)
+  small.play(world, 0.5)
+  assert.is_true(ball.x > 235)
+  assert.equal(1, count)
+end)
