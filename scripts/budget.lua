@@ -16,14 +16,14 @@ local BUDGET = {
   { "physics/maps", 2310 },
   { "physics/memory", 711 },
   { "physics/motion", 992 },
-  { "physics/narrowphase", 574 },
+  { "physics/narrowphase", 573 },
   { "physics/objects", 1300 },
   { "physics/overlaps", 821 },
   { "physics/queries", 955 },
   { "physics/sleep", 81 },
   { "physics/solver", 3190 },
   { "physics/space", 489 },
-  { "physics/state", 949 },
+  { "physics/state", 952 },
   { "physics/world", 1359 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
