@@ -161,6 +161,7 @@ small.rows("raycast and radius: a ray meets a circle: {1}", {
   { "along its right edge", { 70, 0, 70, 100 }, nil },
   { "up to its top", { 50, 0, 50, 30 }, { 50, 30, 0, -1, 1 } },
   { "from its top, outwards", { 50, 30, 50, 0 }, nil },
+  { "from its rim, outwards", { 50 + 20 * math.cos(4), 50 + 20 * math.sin(4), 28.9, 28.8 }, nil },
 }, function(_, line, expected, tolerance)
   local world = physics.newWorld({ gravity = 0 })
   local coin = world:add("coins", { x = 30, y = 30, radius = 20, sensor = true })

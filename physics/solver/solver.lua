@@ -133,7 +133,7 @@ local function prepare(b, dt)
     walk.begin(b)
   end
   settleTouching(b, dt)
-  if b.walks then
+  if b.hasAids then
     nudgeTouching(b, dt)
   end
   settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
@@ -218,7 +218,7 @@ local function solve(b, dt)
   if hasChanged or b.hasRound then
     bounds.run(b, dt, hasChanged)
   end
-  if b.walks then
+  if b.hasAids then
     snap.run(b)
   end
   if b.awakenings ~= awakenings then

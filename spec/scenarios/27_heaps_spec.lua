@@ -227,18 +227,6 @@ describe("radius: a heap of balls", function()
     end)
   end
 
-  -- (One on the floor, between others that lay still, went to and fro for ever, by 0.4 px.)
-  it("of 100 in a wider shaft rests", function()
-    local world, random = newShaft({}, 300), newRandom(63)
-    for i = 0, 99 do
-      local radius = random:between(8, 12)
-      local x, y = 2 + i % 11 * 27 + random:between(0, 2), 320 - (i - i % 11) / 11 * 26
-      world:add("balls", { x = x, y = y, radius = radius })
-    end
-    run(world, 5)
-    assert.are.equal(100, world.stats.resting)
-  end)
-
   -- The belt leads to a wall: they stand, though it runs on under them. (The last one was shaken
   -- off by 0.1 px again and again.)
   local rows = { { 6, 2 }, { 5, 21 } }

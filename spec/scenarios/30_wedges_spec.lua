@@ -178,6 +178,23 @@ describe("slope: a wedge", function()
 
     --  train -> [one][two]|         two is in a hole, whose edge is the upright side of a slope
     --  =========     [   ]|.-'
+    --  ______________
+    --             __     a step of 17 px leads over the crest, into the block behind it
+    --  [hero]-> /|  |
+    it(("stops a fast walk before the block behind it: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      world:add("walls", tile(-200, 60, 700, 16))
+      world:add("walls", tile(-200, 1, 700, 8))
+      world:add("walls", tile(152, 32, 60, 28))
+      slope(world, 100, 32, 52, 28, "right")
+      local hero = count(world:add("heroes", { x = 100, y = 16, width = 9, height = 24 }))
+      steer(world, hero, 1, rate, { vx = 500 })
+      assertAt(143 - 52 / 28, 9, hero)
+      steer(world, hero, 1, rate, { vx = -100 })
+      assert.near(43 - 52 / 28, hero.x, 1e-9)
+      assert.equal(0, hero.crushes)
+    end)
+
     it(("tells that a train crushes two crates in it: %d Hz"):format(rate), function()
       local world = physics.newWorld({ gravity = 900 })
       slope(world, 192, 208, 16, 16, "right")
