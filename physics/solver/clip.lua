@@ -267,7 +267,8 @@ local function isSqueezed(b, i)
   local k, to = 2 * i, b.to
   local isCaught, hasWalked = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0, b.pieceLast[i] > 0
   for _, j, p in neighbours(b, i) do
-    local isClose = (hasWalked or touch.haveFaces(b, i, j)) and (isCaught or boxes.gap(b, to, i, j) < -EPSILON)
+    local isClose = (hasWalked or touch.haveFaces(b, i, j))
+      and (isCaught or boxes.gap(b, to, i, j) < -EPSILON)
     local isIn = isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON)
     if areCaught(b, p, i, j) or isIn and isWall(b, p, i, j) then
       return true
