@@ -44,11 +44,13 @@ local clip = {}
 local APART, SLANTED, ENTERED = contacts.APART, contacts.SLANTED, contacts.ENTERED
 local DYNAMIC, KINEMATIC, STATIC = constants.DYNAMIC, constants.KINEMATIC, constants.STATIC
 local EPSILON, neighbours = constants.EPSILON, links.neighbours
-local floor, huge, max = math.floor, math.huge, math.max
+local floor, huge, max, sqrt = math.floor, math.huge, math.max, math.sqrt
 -- Maximum number of walls in the way of one box, besides the objects that it touches.
 local MOST = 8
 local nx, ny, least, wall = planes.nx, planes.ny, planes.least, planes.wall
 local side = planes.side ---@type integer[]
+-- px by which a box may be in a wall where the step begins.
+local NEAR = 0.001
 -- px/s: slower things stand still.
 local STILL = 1e-6
 
@@ -151,6 +153,12 @@ local function lookUp(b, i, x, y)
   return wallAt(b, i, x, y, 1)
 end
 
+-- px that slot i goes in the step.
+local function wayOf(b, i, from)
+  local x, y = b.to[2 * i] - from[2 * i], b.to[2 * i + 1] - from[2 * i + 1]
+  return sqrt(x * x + y * y)
+end
+
 -- Adds the half-plane of slot j: that of the face which box i was in front of at moment t, when it
 -- was at (x, y). Returns whether it was. (The face goes where slot j goes.) If the two touch
 -- (`isTouched`), only such a face counts, and no edge on which the box walks: it may pass its
@@ -190,10 +198,11 @@ local function addRoom(b, i, x, y, t)
 end
 
 -- Returns where box i ends, if it is to come to no wall, and leaves the half-planes on which it is
--- there; nil: there is no such place. Faces are those in front of which it was when its path began,
--- or if that was in a wall, when the step began.
+-- there; nil: there is no such place. Box i ends at most as far from its goal as the step, or its
+-- path, began, plus the ways of the listed walls: a stack under a press would jump. Faces are those
+-- in front of which it was when its path began, or if that was in a wall, when the step began.
 local function findPlace(b, i)
-  local k, t = 2 * i, b.time[i]
+  local k, most, t = 2 * i, max(wayOf(b, i, b.origin), wayOf(b, i, b.from)) + NEAR, b.time[i]
   local startX, startY = b.from[k], b.from[k + 1] -- (no column: `lookUp` may replace that)
   if wallAt(b, i, startX, startY, t) then
     startX, startY, t = b.origin[k], b.origin[k + 1], 0
@@ -201,14 +210,18 @@ local function findPlace(b, i)
   end
   planes.count = 0
   addRoom(b, i, startX, startY, t)
+  for n = 1, planes.count do
+    most = most + wayOf(b, wall[n], b.from)
+  end
   local wantX, wantY = b.to[k], b.to[k + 1]
   local x, y, one, other, j
   for _ = 1, MOST do
-    x, y, one, other = planes.nearest(wantX, wantY, huge)
+    x, y, one, other = planes.nearest(wantX, wantY, most)
     j = x and lookUp(b, i, x, y)
     if not j or not addFace(b, i, j, startX, startY, t) then
       break
     end
+    most = most + wayOf(b, j, b.from)
   end
   path.lead(b, i, wantX, wantY)
   if x and not (j or areClosing(b, one, other)) then

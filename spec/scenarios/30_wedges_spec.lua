@@ -195,6 +195,26 @@ describe("slope: a wedge", function()
       assert.equal(0, hero.crushes)
     end)
 
+    --    .------|
+    --     ".____|    sinks onto a stack, and stops: the upper box was put 17 px aside
+    --      [c][b][a]
+    it(("holds a stack under a slanted press: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      world:add("floors", tile(-1000, 400, 2000, 20))
+      local press = { x = 0, y = 250, width = 160, height = 40, slope = "topleft" }
+      press.kinematic = true
+      world:add("presses", press)
+      world:add("boxes", { x = 93, y = 384, width = 16, height = 16 })
+      world:add("boxes", { x = 94, y = 368, width = 16, height = 16 })
+      local upper = world:add("boxes", { x = 99, y = 360, width = 8, height = 8 })
+      steer(world, press, 0.5, rate, {})
+      for _ = 1, 2.5 * rate do
+        press.vy = press.y < 356 and 60 or 0
+        world:update(1 / rate)
+        assert.near(99, upper.x, 1)
+      end
+    end)
+
     it(("tells that a train crushes two crates in it: %d Hz"):format(rate), function()
       local world = physics.newWorld({ gravity = 900 })
       slope(world, 192, 208, 16, 16, "right")
