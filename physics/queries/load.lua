@@ -68,11 +68,10 @@ end
 -- Adds the contact of pair p.
 local function add(b, p)
   local c, side, across, place, give = count + 1, b.contact[p], POINT, b.position, b.inverseMass
-  local isSwapped = b.rank[b.pairB[p]] < b.rank[b.pairA[p]]
-  local i, j = isSwapped and b.pairB[p] or b.pairA[p], isSwapped and b.pairA[p] or b.pairB[p]
+  local i, j = links.slotsOf(b, p)
   local _, nx, ny = ball.gapIn(b, place, i, j)
   if side ~= 0 and not ball.isRound(b, i, j) then
-    local sign = (side % 2 == 0) ~= isSwapped and -1 or 1
+    local sign = (side % 2 == 0) == (i == b.pairA[p]) and -1 or 1
     nx, ny = (1 - AXIS[side]) * sign, AXIS[side] * sign
   end
   for n = 0, 1 do

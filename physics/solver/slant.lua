@@ -25,6 +25,7 @@ local constants = require(root .. ".memory.constants")
 local contacts = require(root .. ".solver.contacts")
 local filter = require(root .. ".broadphase.filter")
 local impact = require(root .. ".solver.impact")
+local links = require(root .. ".memory.links")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local rules = require(root .. ".narrowphase.rules")
@@ -35,7 +36,7 @@ local slant = {}
 
 local APART, SLANTED = contacts.APART, contacts.SLANTED
 local DYNAMIC, EPSILON = constants.DYNAMIC, constants.EPSILON
-local gapIn, slotsOf = ball.gapIn, contacts.slotsOf
+local gapIn, slotsOf = ball.gapIn, links.slotsOf
 local huge, max, min = math.huge, math.max, math.min
 -- Two that can both be moved get a plane although they may not meet if they are nearer than this
 -- share of the smaller size, and slower than that share in a step: others may push them together.
