@@ -294,7 +294,7 @@ end
 function restore.world(world, st)
   local b, layers, sentence, new = world._bodies, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
-  st = validate.state(st, objects)
+  validate.state(st, objects)
   local isKnown = objects and #objects == st.count + #st.gone
   if type(world.objects) ~= "table" then
     world.objects = {}
