@@ -306,7 +306,7 @@ describe("world:addTiles refuses", function()
       [set .. "column must be an integer in 1..2, got 3"] = { "setTile", tiles, 3, 1, 0 },
       [set .. "row must be an integer in 1..1, got nil"] = { "setTile", tiles, 1 },
       ["cellAt(x, y): y must be a number, got nil"] = { "cellAt", tiles, 1 },
-      ["load(count): count must be an integer in 1..1000000000, got 0"] = { "load", tiles, 0 },
+      ["load() must be called with a colon on tiles, got nil"] = { "load" },
       ["getTile(column, row) must be called with a colon on tiles, got 1"] = { "getTile", 1, 1 },
     }) do
       small.refuses("tiles:" .. expected, tiles[call[1]], call[2], call[3], call[4], call[5])
