@@ -14,17 +14,17 @@ local BUDGET = {
   { "physics/contacts", 384 },
   { "physics/fields", 666 },
   { "physics/maps", 2310 },
-  { "physics/memory", 719 },
-  { "physics/motion", 984 },
+  { "physics/memory", 718 },
+  { "physics/motion", 983 },
   { "physics/narrowphase", 573 },
   { "physics/objects", 1300 },
   { "physics/overlaps", 809 },
   { "physics/queries", 954 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3195 },
+  { "physics/solver", 3194 },
   { "physics/space", 489 },
   { "physics/state", 952 },
-  { "physics/world", 1359 },
+  { "physics/world", 1368 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
