@@ -24,7 +24,7 @@ local BUDGET = {
   { "physics/solver", 3194 },
   { "physics/space", 489 },
   { "physics/state", 952 },
-  { "physics/world", 1368 },
+  { "physics/world", 1359 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
