@@ -50,6 +50,15 @@ function recall.setHere(layer, isHere)
   layer._isAway = not isHere
 end
 
+-- Returns whether a layer has objects in its world. (A game may have emptied that.)
+local function isLiving(layer)
+  for _, object in ipairs(layer and cells.objects(layer) or NONE) do
+    if layer.world:groupOf(object) then
+      return true
+    end
+  end
+end
+
 --- Returns the part of a name that says where a map is, given its place in px.
 function recall.at(world, x, y)
   return (" %.17g %.17g"):format(x - world._shiftedX, y - world._shiftedY)
@@ -61,7 +70,7 @@ end
 function recall.enter(world, layers, isLater)
   local here = recall.mapsOf(world).here
   for _, layer in ipairs(layers) do
-    while here[layer._name] and cells.inWorld(here[layer._name])[1] do
+    while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
     end
     recall.setHere(layer, not isLater)
@@ -195,6 +204,7 @@ function recall.find(world, st, layers)
     addNames(byName, members)
   end
   for _, layer in next, layers, nil do
+    ---@cast layer table
     addNames(byName, layer._isAway and cells.objects(layer))
   end
   for at = 1, #st.loaded, 2 do
