@@ -70,9 +70,6 @@ local function match(world, st, named)
       objects[n], taken[object] = object, true
     end
   end
-  for g = 1, #st.gone do
-    objects[st.count + g] = {}
-  end
   return objects, sentence, new
 end
 
@@ -131,6 +128,7 @@ local function writeFields(b, st, objects)
     end
   end
   for n, saved in ipairs(st.gone) do
+    objects[st.count + n] = objects[st.count + n] or {}
     format.write(saved, objects[st.count + n])
   end
   return odd
