@@ -2,6 +2,7 @@
 --- out.
 
 local physics = require("physics")
+local overlap = require("spec.support.overlap")
 local small = require("spec.support.small")
 
 local tile, RATES = small.tile, { 30, 60, 144 }
@@ -213,6 +214,24 @@ describe("slope: a wedge", function()
         world:update(1 / rate)
         assert.near(99, upper.x, 1)
       end
+    end)
+
+    --  ______________
+    --       [hero]        goes up with the crate until the ceiling stops it: it went on into that
+    --         [crate] .'
+    it(("stops a crate with a rider behind its foot, below a ceiling: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      world:add("walls", tile(-200, 60, 700, 16))
+      local ceiling = world:add("walls", tile(-200, 26, 700, 8))
+      slope(world, 100, 16, 40, 44, "right")
+      local crate = count(world:add("crates", small.put(60, 47, 14, 13)))
+      local rider = count(world:add("heroes", small.put(56, 37, 10, 10)))
+      for _ = 1, 2 * rate do
+        crate.vx, rider.vx = 30, 30
+        world:update(1 / rate)
+        assert.is_true(overlap.depth(rider, ceiling) + overlap.depth(rider, crate) < 1e-9)
+      end
+      assert.same({ 0, 0 }, { crate.crushes, rider.crushes })
     end)
 
     it(("tells that a train crushes two crates in it: %d Hz"):format(rate), function()
