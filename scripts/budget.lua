@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 809 },
   { "physics/queries", 954 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3194 },
+  { "physics/solver", 3196 },
   { "physics/space", 489 },
   { "physics/state", 880 },
   { "physics/world", 1359 },
