@@ -219,7 +219,7 @@ describe("slope: a wedge", function()
     --  ______________
     --       [hero]        goes up with the crate until the ceiling stops it: it went on into that
     --         [crate] .'
-    it(("stops a crate with a rider behind its foot, below a ceiling: %d Hz"):format(rate), function()
+    it(("stops a crate whose rider comes to the ceiling: %d Hz"):format(rate), function()
       local world = physics.newWorld({ gravity = 900 })
       world:add("walls", tile(-200, 60, 700, 16))
       local ceiling = world:add("walls", tile(-200, 26, 700, 8))
@@ -262,4 +262,16 @@ it("slope: boxes that are pushed up a slope, below a ceiling, end in no others",
     local one, other = boxes[2], boxes[3]
     assert.is_true(math.max(other.x - one.x - one.width, one.y - other.y - other.height) > -0.01)
   end
+end)
+
+it("slope: a train that rises tells once whom it crushes among others", function()
+  local world, riders = physics.newWorld({ gravity = 900 }), {}
+  slope(world, 100, -2, 49, 57, "topright")
+  local train = small.put(-448, 60, 590, 16, { vx = 60, vy = -20, kinematic = true })
+  world:add("trains", train)
+  for n, at in ipairs({ { 89, 41, 19, 19 }, { 77, 50, 12, 10 }, { 94.5, 33, 8, 8 } }) do
+    riders[n] = count(world:add("riders", small.put(at[1], at[2], at[3], at[4])))
+  end
+  small.play(world, 1.5, 30)
+  assert.same({ 1, 1, 1 }, { riders[1].crushes, riders[2].crushes, riders[3].crushes })
 end)
