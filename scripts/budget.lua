@@ -11,7 +11,7 @@ local files = require("spec.support.files")
 local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 610 },
-  { "physics/contacts", 384 },
+  { "physics/contacts", 383 },
   { "physics/fields", 666 },
   { "physics/maps", 2310 },
   { "physics/memory", 718 },
