@@ -264,7 +264,7 @@ it("slope: boxes that are pushed up a slope, below a ceiling, end in no others",
   end
 end)
 
-it("slope: a train that rises tells once whom it crushes among others", function()
+it("slope: a train that rises tells each crush once, also of those in others", function()
   local world, riders = physics.newWorld({ gravity = 900 }), {}
   slope(world, 100, -2, 49, 57, "topright")
   local train = small.put(-448, 60, 590, 16, { vx = 60, vy = -20, kinematic = true })
