@@ -72,7 +72,7 @@ local function report(subject, count, worst, missed)
     local text, aim, unit = row[1], row[2], row[3] or ""
     local lines = missed[text]
     local verdict = #lines == 0 and "met" or "missed by " .. #lines
-    local line = "%-11s %5d  %-38s %9.3g %-2s  aim %-8.2g  %s"
+    local line = "%-11s %5d  %-38s %9.3g %-2s  aim %-8.3g  %s"
     print(line:format(subject.name, count, text, worst[text], unit, aim, verdict))
     for _, one in ipairs(options.verbose and lines or {}) do
       print(one)
