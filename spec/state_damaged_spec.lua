@@ -39,7 +39,7 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 local ROWS = {
   { "version", 0, "state.version must be 10, got 0: an older version of the library wrote it" },
   { "version", 11, "state.version must be 10, got 11: a newer version of the library wrote it" },
-  { "version", 2, "the state is damaged: 1.0.0 has written it" },
+  { "version", 2, "state.version must be 10, got 2: an older version of the library wrote it" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
   { "settings.gravity", nil, "state.settings.gravity must be a number, got nil" },

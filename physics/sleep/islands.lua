@@ -136,12 +136,12 @@ local function gather(b, i, stamp)
   return count, isQuiet
 end
 
---- Puts every island to sleep that is quiet after a step of dt s. Its bodies are obstacles for
---- others until they wake.
+--- Puts every island to sleep that is quiet after a step of dt s, with the setting `rest`. Its
+--- bodies are obstacles for others until they wake.
 function islands.settle(b, dt)
   b.stamp = b.stamp + 1
   local stamp, list, isBusy, mark = b.stamp, b.awakeList, b.mustStayAwake, b.mark
-  for n = dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
+  for n = b.rest and dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
     local i = list[n]
     -- Sleeping bodies are dropped from the list, which may bring others to this place.
     if i and n <= b.awakeCount and not isBusy[i] and mark[i] ~= stamp then
