@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 610 },
   { "physics/contacts", 383 },
   { "physics/fields", 666 },
-  { "physics/maps", 2310 },
+  { "physics/maps", 2195 },
   { "physics/memory", 718 },
   { "physics/motion", 983 },
   { "physics/narrowphase", 573 },
@@ -23,7 +23,7 @@ local BUDGET = {
   { "physics/sleep", 81 },
   { "physics/solver", 3196 },
   { "physics/space", 489 },
-  { "physics/state", 880 },
+  { "physics/state", 879 },
   { "physics/world", 1359 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
