@@ -11,9 +11,9 @@ local files = require("spec.support.files")
 local BUDGET = {
   { "physics.lua", 83 },
   { "physics/broadphase", 610 },
-  { "physics/contacts", 384 },
+  { "physics/contacts", 383 },
   { "physics/fields", 666 },
-  { "physics/maps", 2310 },
+  { "physics/maps", 2195 },
   { "physics/memory", 718 },
   { "physics/motion", 983 },
   { "physics/narrowphase", 573 },
@@ -21,9 +21,9 @@ local BUDGET = {
   { "physics/overlaps", 809 },
   { "physics/queries", 954 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3194 },
+  { "physics/solver", 3196 },
   { "physics/space", 489 },
-  { "physics/state", 880 },
+  { "physics/state", 879 },
   { "physics/world", 1359 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
