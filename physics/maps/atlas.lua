@@ -34,12 +34,12 @@ local atlas = {}
 local Atlas = {}
 Atlas.__index = Atlas
 
-local LISTS, TABLES = level.LISTS .. " lines points", " byId byIid named tileLayers"
+local LISTS, TABLES = level.LISTS, " byId byIid named tileLayers"
 
 local function join(self, made)
   for name in LISTS:gmatch("%a+") do
     local list = self[name]
-    for _, entry in ipairs(made[name] or {}) do
+    for _, entry in ipairs(made[name]) do
       list[#list + 1] = entry
     end
   end
