@@ -102,7 +102,7 @@ same: ## plays small scenes and random games beside those of a commit, to the la
 games: setup ## plays random games of eight kinds and looks for what a player would notice: GAMES=100, SEED=1
 	@luajit scripts/fuzz.lua --game all --games $(or $(GAMES),100) --seed $(or $(SEED),1)
 
-.PHONY: bench bench-quick bench-docs bench-size bench-ordinary
+.PHONY: bench bench-quick bench-docs bench-size bench-ordinary bench-contacts
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
 	@bash scripts/bench.sh $(BENCH)
 
@@ -111,6 +111,9 @@ bench-quick: setup ## looks whether the benchmark runs, without looking at times
 
 bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="--only spot --both"
 	@luajit bench/worst.lua $(WORST)
+
+bench-contacts: setup ## how exact contacts are, over random scenes: CONTACTS="--only rooms,crates --verbose"
+	@luajit bench/contacts.lua $(CONTACTS)
 
 bench-ordinary: setup ## times 43 ordinary calls beside those of a commit: BASE=COMMIT
 	@luajit bench/ordinary.lua $(or $(BASE),HEAD)

@@ -57,34 +57,6 @@ local function readOptions(list)
   return chosen
 end
 
-local function isThere(file)
-  local handle = io.open(file)
-  return handle and handle:close()
-end
-
--- The library of another folder: only the modules of the library come from there.
-local function useRoot(root)
-  if not (isThere(root .. "/physics.lua") or isThere(root .. "/physics/init.lua")) then
-    fail("--root %s: there is no physics.lua", root)
-  end
-  local function search(name)
-    local path = (name == "physics" or name:find("^physics%.")) and name:gsub("%.", "/")
-    for _, form in ipairs(path and { "/%s.lua", "/%s/init.lua" } or {}) do
-      local file = root .. form:format(path)
-      local chunk, problem = loadfile(file)
-      if chunk then
-        return chunk
-      elseif not problem:find("cannot open", 1, true) then
-        error(problem, 0)
-      end
-    end
-    if path then
-      fail("--root %s: there is no module %s", root, name)
-    end
-  end
-  table.insert(rawget(package, "searchers") or package.loaders, 2, search)
-end
-
 -- Playing one scene -------------------------------------------------------------------------------
 
 local REPORT_EVERY = 1000 -- ms, of steps
@@ -318,7 +290,7 @@ if chosen.help then
   os.exit(0)
 end
 if chosen.root then
-  useRoot(chosen.root)
+  require("bench.library")(chosen.root)
 end
 local jobs = choose(chosen)
 if chosen.child then

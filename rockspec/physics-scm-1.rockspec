@@ -121,7 +121,6 @@ build = {
     ["physics.space.shapes"] = "physics/space/shapes.lua",
     ["physics.state.format"] = "physics/state/format.lua",
     ["physics.state.hash"] = "physics/state/hash.lua",
-    ["physics.state.older"] = "physics/state/older.lua",
     ["physics.state.restore"] = "physics/state/restore.lua",
     ["physics.state.save"] = "physics/state/save.lua",
     ["physics.state.validate"] = "physics/state/validate.lua",

@@ -34,6 +34,9 @@ worst() {
 }
 check "the worst cases can be played alone" worst
 check "an unknown worst case is refused" refuses luajit bench/worst.lua --only nothing
+check "the scenes of contacts run" luajit bench/contacts.lua --quick --verbose
+check "one of them can be shown" luajit bench/contacts.lua --only rooms --seed 3
+check "a subject that is not there is refused" refuses luajit bench/contacts.lua --only nothing
 sizes() {
   luajit bench/size.lua --rounds 1 | tee build/sizes
   for what in "source, kB" "\`require\`, ms, lua5.1" "an empty world, kB, luajit"; do

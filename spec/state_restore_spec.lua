@@ -1,7 +1,6 @@
 --- world:restore: what comes back and to which objects, callbacks, and `ownFields` of the game.
 
 local effort = require("spec.support.effort")
-local files = require("spec.support.files")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
@@ -340,32 +339,4 @@ it("world:restore tells of a group under numbers that has another count here", f
   assert.matches("^objects.men has 2 objects in the state and 3 here: numbers shift", sentence)
   assert.is_nil(client:restore(host:save()))
   assert.equal(host:hash(), client:hash())
-end)
-
--- What `save` of 1.0.0 has returned, of a world with each kind of object, after 31 steps and
--- before the first one of a bullet. Never to be written anew.
-it("world:restore takes a state of 1.0.0: objects, settings, fields as they were", function()
-  local world, text = physics.newWorld(), files.read("spec/states/1.0.0.txt")
-  local _, new = world:restore(read(text))
-  local all, zone = world.objects, world.objects.zones[1]
-  assert.same({ 14, 60, false }, { #new, world.soft.mobs.mobs, world.masks.boxes.ghosts })
-  assert.same(
-    { 3, { rope = true }, false },
-    { all.boxes[1].hp, all.boxes[1].bag, all.boxes[1].mask.mobs }
-  )
-  assert.same(
-    { { gravity = 100, drag = 3 }, 5, 0.5 },
-    { zone.area, all.mobs[2].radius, all.floor[1].friction }
-  )
-  assert.same(
-    { 320, -100, 50, 400 },
-    { all.bullets[1].x, all.bullets[1].vx, all.player.vx, all.bounds.right.x }
-  )
-  local rider, lift, tower = all.boxes[1], all.lifts[1], all.boxes[2]
-  local hash, at = world:hash(), rider.x - lift.x
-  world:restore(read(text))
-  assert.same({ hash, rider }, { world:hash(), all.boxes[1] })
-  run(world, 30)
-  assert.same({ 144, 0, 184 }, { rider.y, rider.vx, tower.y })
-  assert.is_true(math.abs(rider.x - lift.x - at) < 0.5)
 end)

@@ -174,14 +174,13 @@ function events.stay(b, p, side)
   end
 end
 
--- Returns whether slot i still lies in another body that it came into along an axis. (Bodies of a
--- heap rest in each other by less than IN of the smaller size.)
-local function isWedged(b, i, axis)
+-- Returns whether slot i still lies in another body. (Bodies of a heap rest in each other by less
+-- than IN of the smaller size.)
+local function isWedged(b, i)
   for _, j, p in links.neighbours(b, i) do
-    if b.wedged[p] ~= 0 and constants.AXIS[b.wedged[p]] == axis then
-      if ball.isCaught(b, p) or ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j) then
-        return true
-      end
+    local isIn = b.wedged[p] ~= 0 and ball.gapIn(b, b.to, i, j) < -IN * ball.smallest(b, i, j)
+    if isIn or ball.isCaught(b, p) then
+      return true
     end
   end
   return false
@@ -198,7 +197,7 @@ function events.tellCrush(b)
       if low > 0 and not wasCrushed[k] and hasListener(b, "onCrush", i, i) then
         note(b, "onCrush", i, low, b.object[high], k % 2 == 0 and "x" or "y", 0)
       end
-      wasCrushed[k] = low > 0 or wasCrushed[k] and isWedged(b, i, k % 2)
+      wasCrushed[k] = low > 0 or wasCrushed[k] and isWedged(b, i)
     end
   end
 end

@@ -114,7 +114,7 @@ end
 --- Gives a path to each awake body. The solver may wake others: then all are computed anew.
 function move.run(b, dt)
   path.begin(b)
-  if b.hasZones then
+  if b.zoneList[1] then
     zones.run(b, b.awakeList, b.awakeCount, dt * 0.5)
   end
   fly(b, dt)

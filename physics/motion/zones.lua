@@ -32,7 +32,6 @@ function zones.note(b, i)
   if not check.isAmong(i, list) then
     list[#list + 1] = i
   end
-  b.hasZones = true
   b.hasLimits = b.hasLimits or (area.drag or 0) > 0
 end
 

@@ -25,8 +25,9 @@
 --                    (`slant.tell`). A body that was put back to its place (`stillAt`, by
 --                    `path.putBack`) sleeps all the same, unless it is buried and not stuck yet;
 --                    `slant.tell` and `count` take that back.
---     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`, after
---                    `refresh` `carriers.noteJump`), or `put` in overlap has parted it from others
+--     moved          the game has changed any of its fields but velocity, `ax` and `ay` (by
+--                    `reread` in read: `pairFinder.markMoved`), or called `refresh`
+--                    (`carriers.noteJump`), or `put` in overlap has parted it from others
 --     isPolled       one of its contacts, or the world, asks for `onStay` (events) or `canCollide`
 --                    (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
@@ -136,12 +137,12 @@ local function gather(b, i, stamp)
   return count, isQuiet
 end
 
---- Puts every island to sleep that is quiet after a step of dt s. Its bodies are obstacles for
---- others until they wake.
+--- Puts every island to sleep that is quiet after a step of dt s, with the setting `rest`. Its
+--- bodies are obstacles for others until they wake.
 function islands.settle(b, dt)
   b.stamp = b.stamp + 1
   local stamp, list, isBusy, mark = b.stamp, b.awakeList, b.mustStayAwake, b.mark
-  for n = dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
+  for n = b.rest and dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
     local i = list[n]
     -- Sleeping bodies are dropped from the list, which may bring others to this place.
     if i and n <= b.awakeCount and not isBusy[i] and mark[i] ~= stamp then

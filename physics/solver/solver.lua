@@ -246,7 +246,6 @@ end
 
 --- Resolves all contacts and impacts of a step of dt s.
 function solver.run(b, dt)
-  b.resolved = 0
   for _ = 1, RESTARTS do
     if solve(b, dt) then
       return

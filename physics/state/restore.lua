@@ -294,7 +294,7 @@ end
 function restore.world(world, st)
   local b, layers, sentence, new = world._bodies, nil, nil, {}
   local objects = b.tablesOf and b.tablesOf[st]
-  st = validate.state(st, objects)
+  validate.state(st, objects)
   local isKnown = objects and #objects == st.count + #st.gone
   if type(world.objects) ~= "table" then
     world.objects = {}
@@ -320,7 +320,7 @@ function restore.world(world, st)
   restoreEvents(b, st, objects)
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
-  if b.hasZones then
+  if b.zoneList[1] then
     zones.begin(b, b.movers, b.moverCount) -- where "down" is
     zones.run(b, b.movers, b.moverCount, 0) -- for `load`
   end

@@ -2,6 +2,7 @@
 --- out.
 
 local physics = require("physics")
+local overlap = require("spec.support.overlap")
 local small = require("spec.support.small")
 
 local tile, RATES = small.tile, { 30, 60, 144 }
@@ -215,6 +216,24 @@ describe("slope: a wedge", function()
       end
     end)
 
+    --  ______________
+    --       [hero]        goes up with the crate until the ceiling stops it: it went on into that
+    --         [crate] .'
+    it(("stops a crate whose rider comes to the ceiling: %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      world:add("walls", tile(-200, 60, 700, 16))
+      local ceiling = world:add("walls", tile(-200, 26, 700, 8))
+      slope(world, 100, 16, 40, 44, "right")
+      local crate = count(world:add("crates", small.put(60, 47, 14, 13)))
+      local rider = count(world:add("heroes", small.put(56, 37, 10, 10)))
+      for _ = 1, 2 * rate do
+        crate.vx, rider.vx = 30, 30
+        world:update(1 / rate)
+        assert.is_true(overlap.depth(rider, ceiling) + overlap.depth(rider, crate) < 1e-9)
+      end
+      assert.same({ 0, 0 }, { crate.crushes, rider.crushes })
+    end)
+
     it(("tells that a train crushes two crates in it: %d Hz"):format(rate), function()
       local world = physics.newWorld({ gravity = 900 })
       slope(world, 192, 208, 16, 16, "right")
@@ -243,4 +262,16 @@ it("slope: boxes that are pushed up a slope, below a ceiling, end in no others",
     local one, other = boxes[2], boxes[3]
     assert.is_true(math.max(other.x - one.x - one.width, one.y - other.y - other.height) > -0.01)
   end
+end)
+
+it("slope: a train that rises tells each crush once, also of those in others", function()
+  local world, riders = physics.newWorld({ gravity = 900 }), {}
+  slope(world, 100, -2, 49, 57, "topright")
+  local train = small.put(-448, 60, 590, 16, { vx = 60, vy = -20, kinematic = true })
+  world:add("trains", train)
+  for n, at in ipairs({ { 89, 41, 19, 19 }, { 77, 50, 12, 10 }, { 94.5, 33, 8, 8 } }) do
+    riders[n] = count(world:add("riders", small.put(at[1], at[2], at[3], at[4])))
+  end
+  small.play(world, 1.5, 30)
+  assert.same({ 1, 1, 1 }, { riders[1].crushes, riders[2].crushes, riders[3].crushes })
 end)
