@@ -1,8 +1,8 @@
 -- A whole game of several maps. Only rooms near the player are in the world. Classes of the editor
 -- are classes of the game. A flag saves, thorns lead back to it, and the file is there tomorrow.
 --
--- The maps are maps/rooms/*.lua, four rooms of one world of Tiled (with rooms.world and
--- rooms.tiled-project), and maps/ruin.ldtk: its doors refer to each other.
+-- The maps are maps/rooms/*.lua, four rooms of one world of Tiled (with rooms.world), and
+-- maps/ruin.ldtk: its doors refer to each other.
 
 local boxes = require("boxes")
 local hero = require("hero")
@@ -169,7 +169,6 @@ local function loadTiled(state)
   world.ownFields = OWN
   level = world:loadTiled(read("rooms/rooms.world"), {
     folder = "maps/rooms",
-    project = read("rooms/rooms.tiled-project"),
     classes = CLASSES,
     later = true,
   })

@@ -70,7 +70,7 @@ local function printed(f)
 end
 
 describe("loadTiled: an object of a map", function()
-  local YES, NO, THINGS = { solid = true }, { solid = false }, { solidLayers = { "things" } }
+  local YES, NO, THINGS = { solid = true }, { solid = false }, { kinds = { things = "static" } }
   local HARD, CRATE = { solidProperty = "hard" }, { kinds = { Crate = "dynamic" } }
   local BOTH = { kinds = { things = "static", Crate = "dynamic" } }
   -- Its layer, its class, its properties, the options, what it is; the properties of its layer, the
@@ -104,11 +104,10 @@ describe("loadTiled: an object of a map", function()
     { "Walls", "", {}, nil, "static" },
     { "walls", "", { static = false }, nil, "dynamic" },
     { "walls", "", NO, nil, "none" },
-    { "walls", "", {}, { solidLayers = {} }, "sensor" },
     { "things", "", {}, nil, "static", {}, "all", YES },
     { "things", "", {}, nil, "static", {}, "Collision", {} },
     { "things", "", {}, nil, "none", {}, "Collision", NO },
-    { "things", "", {}, { solidLayers = { "all" } }, "static", {}, "all", {} },
+    { "things", "", {}, { kinds = { all = "static" } }, "static", {}, "all", {} },
   }) do
     it(("%d in the layer %s, of the class %q, is %s"):format(i, row[1], row[2], row[5]), function()
       local extra = { properties = row[6] }
@@ -152,34 +151,6 @@ describe("loadTiled: an object of a map", function()
     local text = "radius must be half of width and height, which are 16 and 16: it is left out"
     assert.equal(text, reasonsOf((loadLDtk({ ldtk.entities("Things", { light }) }))))
   end)
-
-  it("has what the project says of its class, members that are classes, too", function()
-    local function class(name, ...)
-      return { name = name, type = "class", members = { ... } }
-    end
-    local function member(name, value, kind)
-      return { name = name, value = value, type = kind and "class" or "int", propertyType = kind }
-    end
-    local project = {
-      propertyTypes = {
-        { name = "Mode", type = "enum", values = { "a" } },
-        class("Pull", member("gravity", 5), member("drag", 1)),
-        class(
-          "Water",
-          member("sensor", true),
-          member("static", true),
-          member("depth", 3),
-          member("pull", { drag = 2 }, "Pull")
-        ),
-      },
-    }
-    local map = things(newBox("Water", { depth = 4, pull = { gravity = 7 } }), newBox("Water"))
-    local sensors = load(map, { project = project }).sensors
-    local a, b = sensors[1], sensors[2]
-    assert.same({ 4, 7, 2 }, { a.depth, a.pull.gravity, a.pull.drag })
-    assert.same({ 3, 5, 2 }, { b.depth, b.pull.gravity, b.pull.drag })
-    assert.is_nil(load(map).sensors[2].depth)
-  end)
 end)
 
 describe("loadTiled: the name of a layer", function()
@@ -208,7 +179,7 @@ describe("loadTiled: the name of a layer", function()
     semisolid = { { oneWay = "left" }, nil, "left left left" },
     ["oneway decor"] = { {}, nil, "none top none" },
     ["Stone Way Walls"] = { {}, nil, "false false false" },
-    ["Oneway 2"] = { {}, { solidLayers = { 1, 2 } }, "false false false" },
+    ["Oneway 2"] = { {}, { kinds = { "static" } }, "top top top" },
   }, function(name, row)
     local sides = {}
     for i, part in ipairs({
@@ -249,7 +220,7 @@ describe("loadTiled: the name of a layer", function()
     { { "1.6", "155" }, shaped, nil, 2, "" },
     -- a floor seen from above
     { { "556", "555" }, nil, nil, 0, "" },
-    { { "556", "555" }, nil, { solidLayers = { 1 } }, 6, "collision: option solidLayers" },
+    { { "556", "555" }, nil, { kinds = { "static" } }, 6, "collision: option kinds" },
     { { "556", "555" }, nil, { kinds = { collision = "static" } }, 6, "collision: option kinds" },
     { { "556", "555" }, nil, { kinds = { collision = "sensor" } }, 6, "" },
   }) do
@@ -270,8 +241,8 @@ describe("loadTiled: the name of a layer", function()
     }, { { id = 0, properties = { solid = true } } })
     local head = 'a: property "collidable"; %sc: property "solid"%s'
     assert.equal(head:format("", '; inner: its name, "walls"'), solidOf(load(map)))
-    local options = { solidLayers = { "b" } }
-    assert.equal(head:format("b: option solidLayers; ", ""), solidOf(load(map, options)))
+    local expected = head:format("b: option kinds; ", '; inner: its name, "walls"')
+    assert.equal(expected, solidOf(load(map, { kinds = { b = "static" } })))
   end)
 end)
 
@@ -287,7 +258,7 @@ describe("loadTiled: a map without a wall", function()
   end
   local TEXT = "no part of the map is solid: if that is wrong, write %s; its layers are %s"
   local FOUND =
-    TEXT:format('solidLayers = { "NAME" }', '"backdrop", "stuff", "main", "floor", "things"')
+    TEXT:format('kinds = { ["NAME"] = "static" }', '"backdrop", "stuff", "main", "floor", "things"')
 
   it("is loaded, and says what to write; in a checked world in a line, too", function()
     local lines, level = printed(function()
@@ -297,10 +268,10 @@ describe("loadTiled: a map without a wall", function()
       { "map", "", FOUND, 0 },
       { level.unsupported[1].kind, level.unsupported[1].layer, reasonsOf(level), #lines }
     )
-    assert.equal(2, #load(newTiles(), { solidLayers = { "main" } }).walls)
+    assert.equal(2, #load(newTiles(), { kinds = { main = "static" } }).walls)
     for expected, options in pairs({
       ["physics: world:loadTiled(map, options): " .. FOUND] = {},
-      [""] = { solidLayers = { "main" } },
+      [""] = { kinds = { main = "static" } },
     }) do
       lines = printed(function()
         load(newTiles(), options, { checked = true })
@@ -310,7 +281,7 @@ describe("loadTiled: a map without a wall", function()
   end)
 
   it("and without tiles says so of its objects", function()
-    local text = TEXT:format('solidLayers = { "NAME" }', '"things"')
+    local text = TEXT:format('kinds = { ["NAME"] = "static" }', '"things"')
     assert.same({ text, "" }, { reasonsOf((load(things(newBox())))), reasonsOf((load(things()))) })
   end)
 
@@ -357,7 +328,7 @@ describe("loadTiled: a level", function()
       objects[i] = newBox("", { width = 9, drag = i % 2 == 0 and 32 or -1 })
     end
     local map = newMap({ tiled.objects(1, "things", objects) })
-    local level = load(map, { solidLayers = { "things" } })
+    local level = load(map, { kinds = { things = "static" } })
     assert.equal("drag must be a number >= 0, got -1 x25", reasonsOf(level))
   end)
 

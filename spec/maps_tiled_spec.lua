@@ -178,11 +178,9 @@ are lines | things offsetx=100 | polyline 100 200 0 0 0,0 30,0 30,40 name=path p
   line 200 200, 200 200, 230 200, 230 240 name=path period=4
 are lines, turned | things | polyline 100 200 0 0 0,0 30,0 30,40 rotation=90
   line 100 200, 100 200, 100 230, 60 230
-are thin walls, drawn by hand | things solid:true | polyline 0 0 0 0 0,0.5 32,0 31.5,48
-  things 0 0 32 1 static; things 31.5 0 1 48 static; line 0 0, 0 0.5, 32 0, 31.5 48
-are thin walls in a solid layer | things solid:true | polyline 100 200 0 0 0,0 32,0 32,48 64,60
-  things 100 200 32 1 static; things 132 200 1 48 static
-  line 100 200, 100 200, 132 200, 132 248, 164 260; ! things: polyline: a sloped part has no width
+are lines, but no walls, in a solid layer | things solid:true | polyline 100 200 0 0 0,0 32,0 32,48
+  line 100 200, 100 200, 132 200, 132 248
+  ! things: polyline: a line has no width, draw rectangles or polygons
 are turned | things | 9 9 30 10 rotation=89.99999; 9 9 30 10 rotation=180; 9 9 30 10 rotation=-90
   things -1 9 10 30 sensor static; things -21 -1 30 10 sensor static
   things 9 -21 10 30 sensor static

@@ -36,7 +36,7 @@ end
 
 describe("world:loadTiled, tiles", function()
   describe("are solid", function()
-    local LAYER, NO, YES = { solidLayers = { "ground" } }, { solid = false }, { solid = true }
+    local LAYER, NO, YES = { kinds = { ground = "static" } }, { solid = false }, { solid = true }
     local LEGEND = { a = 5 + X, b = 6 + Y + T, c = 5 + 268435456.0 } -- flipped
 
     -- why, the tiles, properties of their layer and of one around it, options, how many are solid
@@ -45,7 +45,7 @@ describe("world:loadTiled, tiles", function()
       { "by their layer's property, but for those that say no", "1556", YES, nil, nil, 3 },
       { "by the name of their layer", "1556", nil, nil, LAYER, 3 },
       { "by a layer around theirs", "555", nil, YES, nil, 3 },
-      { "but not against their own layer", "555", NO, {}, { solidLayers = { "all" } }, 0 },
+      { "but not against their own layer", "555", NO, {}, { kinds = { all = "static" } }, 0 },
       { "by the nearest layer that says anything", "5", YES, NO, nil, 1 },
       { "however they are flipped", "1a5bc...", YES, nil, nil, 4 },
       { "in one that says no, by its name", "1234", NO, nil, LAYER, 4 },
@@ -150,7 +150,7 @@ as circles | ground | #11 2. | tiles = "round"
   ! ground: ellipse: only circles are round; the option ellipses = "box" makes it a box
 with a turned shape | ground | #.11 | tiles = "turned"
   ground 16 0 32 4 static
-with images of their own | ground | #36 | tiles = "images", set = "few", solidLayers = { 1 }
+with images of their own | ground | #36 | tiles = "images", set = "few", kinds = { "static" }
   ground 0 -32 20 48 static; ground 16 6 12 10 static
 at the size of the grid, with their shapes | ground | #11 | tiles = "corner", set = "grid"
   ground 0 8 32 8 static
@@ -288,7 +288,7 @@ describe("world:loadTiled, packed layers", function()
   it("are read in base64, and unpacked by LÖVE", function()
     know("a", BYTES)
     for _, map in ipairs({ packed(), packed("", "AQAAAAAA\n AAAFAACA"), packed("zlib", "YQ==") }) do
-      local ground = load(map, { solidLayers = { "ground" } }).tileLayers.ground
+      local ground = load(map, { kinds = { ground = "static" } }).tileLayers.ground
       assert.same({ 1, 0, 2147483653 }, {
         ground:getTile(0, 0),
         ground:getTile(1, 0),
@@ -416,7 +416,7 @@ describe("world:loadTiled, tilesets in files of their own", function()
       assert.truthy(entry.reason:find(expected, 1, true), entry.reason)
       assert.same({ "tileset", 1, "earth", 1 }, { entry.kind, entry.id, entry.name, entry.count })
     end
-    assert.equal(2, (load(newLand(), { solidLayers = { "land" } })).tiles)
+    assert.equal(2, (load(newLand(), { kinds = { land = "static" } })).tiles)
     local map = newLand()
     map.layers[1].properties.solid = false
     assert.equal("", show(load(map)))

@@ -166,27 +166,6 @@ describe("world:addTiles", function()
     end
   end)
 
-  it("moves if all of it is kinematic, and is dug and built on where it is", function()
-    local tiles, world = add({ "####", ".##." }, { fields = { kinematic = true, merge = true } })
-    for _, part in ipairs(world.objects.tiles) do
-      part.vx, part.vy = 60, -30
-    end
-    run(world, 60)
-    assert.equal("60 -30 40 10; 70 -20 20 10", boxes(world))
-    assert.same({ 2, 1 }, { tiles:cellAt(75, -25) })
-    assert.is_nil(tiles:cellAt(5, 5))
-    tiles:setTile(2, 1, 0)
-    tiles:setTile(4, 2, "#")
-    run(world, 60)
-    assert.equal("140 -60 20 10; 120 -60 10 10; 130 -50 30 10", boxes(world))
-    world:remove(world.objects.tiles[1])
-    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
-    tiles:unload()
-    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
-    tiles:load()
-    assert.equal("120 -60 10 10; 130 -50 30 10", boxes(world))
-  end)
-
   it("unload() keeps the places of crates, which move by themselves, and shifts them", function()
     local world = physics.newWorld()
     local solid = { c = { static = false } }
@@ -202,8 +181,8 @@ describe("world:addTiles", function()
   end)
 
   -- Returns what digging cells of one row costs in so many rows, before the first update and after
-  -- it, what the update costs after that beyond an idle one, what it costs to unload the next 10
-  -- objects, and a row of all, and to dig when all are loaded again.
+  -- it, what the update costs after that beyond an idle one, what it costs to unload a row of all,
+  -- and to dig when all are loaded again.
   local function costsOf(rows)
     local picture = {}
     for row = 1, rows do
@@ -231,10 +210,6 @@ describe("world:addTiles", function()
     end
     local idle, digging = costOf(update), costOf(dig)
     local updating = costOf(update) - idle
-    tiles:unload(1) -- lists them
-    local few = costOf(function()
-      tiles:unload(10)
-    end)
     local all = costOf(function()
       tiles:unload()
     end)
@@ -242,7 +217,7 @@ describe("world:addTiles", function()
       tiles:setTile(column, rows - 1, "#")
     end
     tiles:load()
-    return { digging, updating, few, all / rows, early, costOf(digEarly) }
+    return { digging, updating, all / rows, early, costOf(digEarly) }
   end
 
   it("digs and comes and goes at a cost that does not depend on the size of its group", function()
@@ -315,7 +290,7 @@ describe("world:addTiles", function()
         if turn == 50 then
           saved, savedPicture = world:save(), small.copy(picture)
         elseif turn == 75 then
-          tiles:unload(generator:integer(1, 9)) -- it is dug meanwhile
+          tiles:unload() -- it is dug meanwhile
         elseif turn == 79 then
           tiles:load()
         elseif turn == 80 then
@@ -366,40 +341,45 @@ describe("world:addTiles", function()
 
   -- Coming and going ------------------------------------------------------------------------------
 
-  it("comes and goes, some at a time, in order", function()
+  it("comes and goes, in order, without what is not its own or was removed", function()
     local tiles, world = add({ "#.#.#" }, { later = true })
-    assert.same({ "", 2, "0 0 10 10" }, { boxes(world), tiles:load(1), boxes(world) })
-    assert.same({ 0, "0 0 10 10; 20 0 10 10; 40 0 10 10" }, { tiles:load(5), boxes(world) })
-    assert.equal(0, tiles:load())
+    assert.equal("", boxes(world))
+    tiles:load()
+    tiles:load()
+    assert.equal("0 0 10 10; 20 0 10 10; 40 0 10 10", boxes(world))
     local other = world:add("tiles", { x = 99, y = 0, width = 5, height = 5, static = true })
     world:update(DT)
-    assert.same({ 1, "40 0 10 10; 99 0 5 5" }, { tiles:unload(2), boxes(world) })
-    assert.same({ 0, 0 }, { tiles:unload(), tiles:unload() })
-    assert.same({ other }, world.objects.tiles)
-    tiles:load()
     local state = world:save()
-    assert.equal(2, tiles:unload(1))
-    tiles:load()
-    assert.equal(1, tiles:unload(2))
-    world:restore(state)
-    assert.equal(0, tiles:unload())
+    tiles:unload()
+    tiles:unload()
     assert.same({ other }, world.objects.tiles)
-    assert.equal(0, tiles:load())
+    world:restore(state)
+    assert.equal("0 0 10 10; 20 0 10 10; 40 0 10 10; 99 0 5 5", boxes(world))
+    world:remove(world.objects.tiles[2])
+    tiles:unload()
+    assert.same({ other, 2 }, { world.objects.tiles[1], tiles.rectangles })
+    tiles:load()
+    assert.equal("99 0 5 5; 0 0 10 10; 40 0 10 10", boxes(world))
     world:update(DT)
-    assert.same({ 4, 4 }, { #world.objects.tiles, world.stats.objects })
+    assert.equal(3, world.stats.objects)
+    world:restore(state)
+    tiles:unload()
+    tiles:load()
+    assert.same({ 4, 3 }, { #world.objects.tiles, tiles.rectangles })
   end)
 
-  it("can be changed while it comes and while it goes, and moves with its world", function()
+  it("can be changed while it waits, and moves with its world", function()
     local tiles, world = add({ "#.#.#", ".#.#." }, { later = true })
-    tiles:load(2)
-    tiles:setTile(5, 1, 0) -- waits
-    tiles:setTile(1, 1, 0) -- is there
+    tiles:setTile(5, 1, 0)
+    tiles:setTile(1, 1, 0)
     tiles:setTile(2, 1, "#")
-    assert.same({ 0, "10 0 20 10; 10 10 10 10; 30 10 10 10" }, { tiles:load(), boxes(world) })
-    assert.equal(2, tiles:unload(1))
+    assert.equal("", boxes(world))
+    tiles:load()
+    assert.equal("10 0 20 10; 10 10 10 10; 30 10 10 10", boxes(world))
+    tiles:unload()
     tiles:setTile(4, 2, 0)
     world:shift(100, -50)
-    assert.same({ 0, "", 0 }, { tiles:unload(), boxes(world), tiles:load() })
+    tiles:load()
     assert.equal("110 -50 20 10; 110 -40 10 10", boxes(world))
     assert.same({ 2, 1 }, { tiles:cellAt(110, -50) })
   end)

@@ -294,7 +294,7 @@ recipes["Chunks"] = function(snippet)
   dig(-900, deeper + 1)
   dig(-900, -900)
   g.player.vx = -3000
-  g.run(0.3) -- some chunks are only half there
+  g.run(0.3)
   local text, hash = states.write(g.world:save()), g.world:hash()
   g.env.world = physics.newWorld()
   for index in pairs(chunks) do

@@ -37,9 +37,9 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 
 -- path, the value that is put there, what the message says
 local ROWS = {
-  { "version", 0, "state.version must be 10, got 0: an older version of the library wrote it" },
-  { "version", 11, "state.version must be 10, got 11: a newer version of the library wrote it" },
-  { "version", 2, "state.version must be 10, got 2: an older version of the library wrote it" },
+  { "version", 2, "state.version must be 11, got 2: an older version of the library wrote it" },
+  { "version", 10, "state.version must be 11, got 10: an older version of the library wrote it" },
+  { "version", 12, "state.version must be 11, got 12: a newer version of the library wrote it" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
   { "settings.gravity", nil, "state.settings.gravity must be a number, got nil" },
@@ -129,9 +129,8 @@ describe("world:restore, a damaged state of a world with maps", function()
     { "maps", { a = 1 }, "state.maps.a must be a table, got 1" },
     { "tiles", nil, "state.tiles must be a table, got nil" },
     { "tiles.a", 1, "state.tiles.a must be a table, got 1" },
-    { "tiles.a", {}, "state.tiles.a.changes must be a table, got nil" },
-    { "tiles.a", { changes = { 0, 1 } }, "state.tiles.a.changes[1] must be an integer in 1.." },
-    { "tiles.a", { changes = { 2, 1, 1, 1 } }, "state.tiles.a.changes[3] must be an integer in 3" },
+    { "tiles.a", { 0, 1 }, "state.tiles.a[1] must be an integer in 1.." },
+    { "tiles.a", { 2, 1, 1, 1 }, "state.tiles.a[3] must be an integer in 3" },
   }, function(path, value, words)
     local world = physics.newWorld()
     world:addTiles("earth", { "##" }, nil, 16):setTile(1, 1, 0)
@@ -145,8 +144,7 @@ describe("world:restore, a damaged state of a world with maps", function()
     local world = physics.newWorld()
     local tiles = world:addTiles("earth", { "##" }, nil, 16)
     local state = states.read(states.write(world:save()))
-    state.tiles =
-      { [next(state.tiles)] = { changes = { 2, {}, 3, "#", 99, "#" } }, b = { changes = {} } }
+    state.tiles = { [next(state.tiles)] = { 2, {}, 3, "#", 99, "#" }, b = {} }
     state.loaded = { 1, "b" }
     world:restore(state)
     assert.are.same({ 0, "#" }, { tiles.tiles, tiles:getTile(2, 1) })
@@ -160,7 +158,7 @@ it("world:restore, what is no state is refused", function()
   for text, value in pairs({
     ["state must be a table, got nil"] = false,
     ['state must be a table, got "state"'] = "state",
-    ["state.version must be 10, got nil: this is no state"] = {},
+    ["state.version must be 11, got nil: this is no state"] = {},
   }) do
     small.refuses("world:restore(state): " .. text, world.restore, world, value or nil)
     assert.are.equal(hash, world:hash())

@@ -16,12 +16,15 @@
 -- as far as the boxes of the level are wide (`reach`). No object that meets the rectangle can start
 -- in another cell. On a single level, small objects among large ones would share few huge cells, or
 -- large objects would be in many small ones; with levels, a query looks at a few cells for each
--- level that is in use. If its rectangle takes more cells than there are objects, it looks at all
--- objects (`mostCells`).
+-- level that is in use. If its rectangle would take more cells of level 0 than there are objects
+-- (`mostCells`), it looks at all objects. Results have no order.
 --
--- Cells are lists in a fixed number of buckets, which the hash of a cell chooses. So empty cells
--- cost nothing and leave nothing behind. Two cells may share a bucket: the key of an object tells
--- which cell it is in.
+-- Cells are lists in buckets, which the hash of a cell chooses: a power of two of them, four times
+-- as many (`grow`) where there are more objects than buckets. So empty cells cost nothing and leave
+-- nothing behind. Two cells may share a bucket: the key of an object tells which cell it is in.
+--
+-- A query lists *ranges* of six numbers: its place in the list of questions, the level, the first
+-- and last cell along x, and along y. The `reach` of a level never shrinks.
 --
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
@@ -45,7 +48,7 @@ for n = 2, 64 do
 end
 -- Cells further out than this share the outermost one, so that the arithmetic stays exact.
 local FAR = 4194304
--- Rounding error of the place of a line, px.
+-- px, by which reaches and lines are wider: more than the rounding error of a place.
 local SLACK = 1e-3
 -- Factors of `hash` for the place and the level of a cell.
 local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791

@@ -47,11 +47,16 @@ end
 function recall.setHere(layer, isHere)
   local maps, name = recall.mapsOf(layer.world), layer._name
   maps.here[name], maps.away[name] = isHere and layer or nil, not isHere and layer or nil
+  layer._isAway = not isHere
 end
 
--- Returns whether a layer has objects.
+-- Returns whether a layer has objects in its world. (A game may have emptied that.)
 local function isLiving(layer)
-  return layer and (cells.waiting(layer)[1] or cells.inWorld(layer)[1])
+  for _, object in ipairs(layer and cells.objects(layer) or NONE) do
+    if layer.world:groupOf(object) then
+      return true
+    end
+  end
 end
 
 --- Returns the part of a name that says where a map is, given its place in px.
@@ -61,19 +66,14 @@ end
 
 --- Notes the layers that a map has made.
 ---@param layers table[] physics.Tiles
----@param waiting physics.Object[]? the objects, if they are not a part of the world yet
-function recall.enter(world, layers, waiting)
+---@param isLater boolean? are their objects not a part of the world yet
+function recall.enter(world, layers, isLater)
   local here = recall.mapsOf(world).here
   for _, layer in ipairs(layers) do
     while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
     end
-    layer._isAway = waiting ~= nil
-    layer._queue = waiting and properties.put({ isLoading = true, first = 1 }, waiting)
-    for _, object in ipairs(waiting or {}) do
-      layer._isWaiting[object] = true
-    end
-    recall.setHere(layer, not waiting)
+    recall.setHere(layer, not isLater)
   end
 end
 
@@ -87,7 +87,7 @@ function recall.place(world)
   for _, list in ipairs(lists) do
     for _, part in next, list, nil do
       local dx, dy = part._baseX + x - part.x, part._baseY + y - part.y
-      for object in next, part._isWaiting or NONE, nil do
+      for _, object in ipairs(part._isAway and cells.objects(part) or NONE) do
         object.x, object.y = object.x + dx, object.y + dy
       end
       part.x, part.y = part._baseX + x, part._baseY + y
@@ -100,11 +100,11 @@ end
 -- Returns the part of a state about a layer: the same table until the layer changes.
 local function snapshotOf(layer)
   if not layer._snapshot then
-    local changes, isPart = {}, next(layer._isWaiting) ~= nil
+    local changes = {}
     for n, index in ipairs(keyOrder.sorted(layer._source)) do
       changes[2 * n - 1], changes[2 * n] = index, cells.valueAt(layer, index)
     end
-    layer._snapshot = { changes = changes, isPart = isPart, isAway = layer._isAway }
+    layer._snapshot = changes
   end
   return layer._snapshot
 end
@@ -176,7 +176,7 @@ function recall.begin(world, st, tables)
   end
   for name, layer in next, layers, nil do
     if layer._snapshot ~= st.tiles[name] then
-      digTo(layer, st.tiles[name].changes)
+      digTo(layer, st.tiles[name])
     end
   end
   return layers
@@ -205,7 +205,7 @@ function recall.find(world, st, layers)
   end
   for _, layer in next, layers, nil do
     ---@cast layer table
-    addNames(byName, cells.waiting(layer))
+    addNames(byName, layer._isAway and cells.objects(layer))
   end
   for at = 1, #st.loaded, 2 do
     named[st.loaded[at]] = byName[st.loaded[at + 1]]
@@ -213,27 +213,22 @@ function recall.find(world, st, layers)
   return named
 end
 
---- Records which objects of tiles are in the world, and which ones wait. `objects`: those of the
---- state.
+--- Records which objects of tiles are in the world. `objects`: those of the state.
 function recall.finish(world, st, layers, objects)
-  local others = {} -- by layer that has changed: the objects that it had
+  local isOther = {} -- layers that have changed
   for name, layer in next, layers, nil do
-    others[layer] = layer._snapshot ~= st.tiles[name] and cells.clear(layer) or nil
+    if layer._snapshot ~= st.tiles[name] then
+      isOther[layer], layer._snapshot = true, st.tiles[name]
+      cells.clear(layer)
+    end
     recall.setHere(layer, true)
   end
   recall.place(world)
-  for n = 1, next(others) and st.count or 0 do
+  for n = 1, next(isOther) and st.count or 0 do
     local _, record = recall.nameOf(objects[n])
-    if record and others[record.tiles] then
+    if record and isOther[record.tiles] then
       cells.register(record.tiles, objects[n])
     end
-  end
-  for layer, list in next, others, nil do
-    local snapshot = st.tiles[layer._name]
-    for object in next, snapshot.isPart and list or {}, nil do
-      cells.waitAgain(layer, object)
-    end
-    layer._isAway, layer._snapshot, layer._queue = snapshot.isAway, snapshot, nil
   end
 end
 

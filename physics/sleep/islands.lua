@@ -25,8 +25,9 @@
 --                    (`slant.tell`). A body that was put back to its place (`stillAt`, by
 --                    `path.putBack`) sleeps all the same, unless it is buried and not stuck yet;
 --                    `slant.tell` and `count` take that back.
---     moved          the game has placed, resized or filtered it (`pairFinder.markMoved`, after
---                    `refresh` `carriers.noteJump`), or `put` in overlap has parted it from others
+--     moved          the game has changed any of its fields but velocity, `ax` and `ay` (by
+--                    `reread` in read: `pairFinder.markMoved`), or called `refresh`
+--                    (`carriers.noteJump`), or `put` in overlap has parted it from others
 --     isPolled       one of its contacts, or the world, asks for `onStay` (events) or `canCollide`
 --                    (rules)
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd

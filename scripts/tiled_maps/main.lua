@@ -6,10 +6,11 @@
 local json = require("json")
 local physics = require("physics")
 
+-- Notes all layers of tiles as solid.
 local function tileLayers(layers, names)
   for _, layer in ipairs(layers) do
     if layer.type == "tilelayer" then
-      names[#names + 1] = layer.name
+      names[layer.name] = "static"
     elseif layer.layers then
       tileLayers(layer.layers, names)
     end
@@ -67,7 +68,7 @@ local function checkMap(path, expected)
   if map.orientation ~= "orthogonal" then
     return #plain.unsupported > 0 and #plain.objects == 0
   end
-  local solid = load(path, { solidLayers = tileLayers(map.layers, {}) })
+  local solid = load(path, { kinds = tileLayers(map.layers, {}) })
   local text = "  all layers solid: %d tiles, expected at least %d; %d rectangles"
   print(text:format(solid.tiles, expected, solid.rectangles))
   return solid.tiles >= expected

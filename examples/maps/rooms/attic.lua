@@ -1486,7 +1486,10 @@ return {
           height = 16,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["friction"] = 0.4,
+            ["mass"] = 0.5,
+          },
         },
       },
     },

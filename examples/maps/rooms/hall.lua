@@ -1447,7 +1447,10 @@ return {
           height = 8,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["kinematic"] = true,
+            ["period"] = 4,
+          },
         },
         {
           id = 6,
@@ -1496,7 +1499,10 @@ return {
           height = 16,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["friction"] = 0.4,
+            ["mass"] = 0.5,
+          },
         },
         {
           id = 9,
@@ -1509,7 +1515,10 @@ return {
           height = 16,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["friction"] = 0.4,
+            ["mass"] = 0.5,
+          },
         },
         {
           id = 10,
@@ -1522,7 +1531,10 @@ return {
           height = 16,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["friction"] = 0.4,
+            ["mass"] = 0.5,
+          },
         },
         {
           id = 11,

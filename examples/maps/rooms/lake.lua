@@ -1395,7 +1395,14 @@ return {
           height = 48,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["area"] = {
+              ["airFriction"] = 3,
+              ["gravity"] = 320,
+            },
+            ["sensor"] = true,
+            ["static"] = true,
+          },
         },
         {
           id = 2,

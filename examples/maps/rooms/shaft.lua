@@ -1434,7 +1434,10 @@ return {
           height = 16,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["friction"] = 0.4,
+            ["mass"] = 0.5,
+          },
         },
         {
           id = 5,
@@ -1447,7 +1450,10 @@ return {
           height = 16,
           rotation = 0,
           visible = true,
-          properties = {},
+          properties = {
+            ["friction"] = 0.4,
+            ["mass"] = 0.5,
+          },
         },
         {
           id = 6,
