@@ -159,7 +159,8 @@ end
 -- Walls -------------------------------------------------------------------------------------------
 
 -- Lists the rows with a wall by the body that it stops: the other body of the row cannot be moved
--- along their normal, since it is immovable, or held, or not pushable.
+-- along their normal, since it is immovable, or held, or not pushable; or it is stronger. (In 16
+-- passes a light ball between a strong player, a wall and heavy balls hardly moved.)
 local function listWalls(b)
   local s = b.slants
   s.walledCount = 0
@@ -168,6 +169,8 @@ local function listWalls(b)
     local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
     local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
     local isOne, isOther = nx * nx * ix + ny * ny * iy > 0, nx * nx * jx + ny * ny * jy > 0
+    isOne = isOne and not (isOther and b.power[i] > b.power[j])
+    isOther = isOther and not (isOne and b.power[j] > b.power[i])
     if isOne ~= isOther then
       local mover = isOne and i or j
       if s.wallsAt[mover] ~= s.stamp then
@@ -384,11 +387,14 @@ end
 --- leaves slow bodies where they were, and finds the heaps.
 function press.finish(b)
   local s = b.slants
-  slant.findLate(b)
+  repeat -- (planes of new pairs may push others into each other, at most as many as there are)
+    local count = s.count
+    slant.findLate(b)
+    press.run(b, true)
+  until s.count == count
   if s.count == 0 then
     return
   end
-  press.run(b, true)
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
     rest(b, s.one[c])

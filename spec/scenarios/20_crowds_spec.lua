@@ -307,6 +307,51 @@ describe("radius, pushable and strength: what presses to", function()
     end
   end)
 
+  -- It was 3.2 px in the small ball that four large ones held back, and passes reached slowly.
+  --
+  --    |@@@ @@@|     vy = 200
+  --    |@@@ @@@|
+  --    |   @@@o|
+  --    |PP     |     vy = -150
+  small.rows("a strong player presses a light ball along a wall: {1}", { 30, 60 }, function(hz)
+    local world, list = physics.newWorld({ gravity = 0 }), {}
+    world:add("walls", small.tile(-20, -900, 20, 1800))
+    world:add("walls", small.tile(30, -900, 20, 1800))
+    local player = small.ball(11, 0, 11, { strength = 1, mass = 10 })
+    list[1] = world:add("balls", small.ball(23, -18, 7, { mass = 0.2 }))
+    for n = 2, 5 do
+      list[n] = world:add("balls", small.ball(14.5 + n % 2, 24 - 30 * n, 14.5, { mass = 2 }))
+    end
+    world:add("players", player)
+    for _ = 1, 2 * hz do
+      player.vy = -150
+      for _, one in ipairs(list) do
+        one.vx, one.vy = 0, 200
+      end
+      world:update(1 / hz)
+      assert.is_true(overlap.depth(list[1], player) < 1e-6)
+    end
+  end)
+
+  -- It went 9 px into the ball.
+  --
+  --     P          vy = 150
+  --     o
+  --    # #         two round pillars
+  it("a strong player stops at a ball that two pillars hold", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local player = world:add("players", small.ball(0, -30, 13, { strength = 1, mass = 10 }))
+    local ball = world:add("balls", small.ball(0, -10, 6, { mass = 0.2 }))
+    for x = -12, 12, 24 do
+      world:add("pillars", small.ball(x, 0, 8, { static = true }))
+    end
+    for _ = 1, 60 do
+      player.vy = 150
+      world:update(1 / 60)
+      assert.is_true(overlap.depth(ball, player) < 1e-6)
+    end
+  end)
+
   -- seed, number, squares to the first of them, share of circles, strength
   for _, row in ipairs({ { 48, 36, 2 }, { 188, 20, 1, 0.4 }, { 188, 20, 1, 0.4, 1 } }) do
     local goal = row[5] and "heavy" or "firm"
