@@ -8,7 +8,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
-local boxes = require(root .. ".space.boxes")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
 local fields = require(root .. ".fields.fields")
@@ -20,7 +19,7 @@ local touch = require(root .. ".narrowphase.touch")
 
 local events = {}
 
-local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.OPPOSITE
+local SIDES, OPPOSITE = constants.SIDES, constants.OPPOSITE
 local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
 local IN = 0.02 -- see isWedged
@@ -200,12 +199,6 @@ function events.tellCrush(b)
       wasCrushed[k] = low > 0 or wasCrushed[k] and isWedged(b, i)
     end
   end
-end
-
---- Returns whether two slots in contact do not touch any more where they are now. (A contact with
---- an object that has become a sensor goes on while the other object passes through it.)
-function events.isApart(b, i, j)
-  return boxes.gap(b, b.position, i, j) > EPSILON
 end
 
 --- Ends the contacts of a slot with all others, or with the slots for which `isOver(b, i, j)`,
