@@ -377,8 +377,7 @@ end
 -- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
 -- creep, and a push of the shocks leaves it the speed that it had.
 local function rest(b, i)
-  local x, y = path.motion(b, 2 * i), path.motion(b, 2 * i + 1)
-  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and max(x, -x, y, -y) <= EPSILON then
+  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and path.motion(b, i) <= EPSILON then
     path.putBack(b, i)
   end
 end

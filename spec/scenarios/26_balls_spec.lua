@@ -425,6 +425,17 @@ describe("radius and slope: a marble", function()
     end
   end)
 
+  it("turns on a ramp below another one: both keep their momentum along it", function()
+    local world, up = physics.newWorld({ gravity = 800 }), { mass = 10, vx = -56, vy = -14 }
+    world:add("ramps", tile(0, 200, 800, 200, { slope = "left" }))
+    local x, y = 400, 300 - 10 * math.sqrt(1.0625)
+    local one = world:add("balls", ball(x, y, 10, up))
+    local other = world:add("balls", ball(x - 2.078, y - 19.892, 10, up))
+    run(world, 0.4, 30)
+    local along = 4 * (one.vx + other.vx) + one.vy + other.vy
+    near(-2 * (4 * 56 + 14) + 2 * 0.4 * 800, along, 1)
+  end)
+
   small.rows("rolls down a ramp alike that moves by {1} px/s", { 0, -32, 32 }, function(speed)
     local world, air = physics.newWorld({ gravity = 900 }), 0
     local fields = { slope = "left", kinematic = true, vy = speed }
