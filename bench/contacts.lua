@@ -34,6 +34,12 @@ local FILES = {
   "presses",
   "walls",
   "crushes",
+  "forces",
+  "added",
+  "movers",
+  "limits",
+  "orders",
+  "costs",
 }
 local QUICK = 1 / 40 -- of the scenes
 
@@ -69,11 +75,11 @@ end
 -- Prints the lines of a subject; `missed` has a line for each scene that misses a row.
 local function report(subject, count, worst, missed)
   for _, row in ipairs(subject.rows) do
-    local text, aim, unit = row[1], row[2], row[3] or ""
+    local text, aim = row[1], row[2]
     local lines = missed[text]
     local verdict = #lines == 0 and "met" or "missed by " .. #lines
-    local line = "%-11s %5d  %-38s %9.3g %-2s  aim %-8.3g  %s"
-    print(line:format(subject.name, count, text, worst[text], unit, aim, verdict))
+    local line = "%-12s %5d  %-38s %9.3g  aim %-8.3g  %s"
+    print(line:format(subject.name, count, text, worst[text], aim, verdict))
     for _, one in ipairs(options.verbose and lines or {}) do
       print(one)
     end
@@ -82,7 +88,7 @@ local function report(subject, count, worst, missed)
 end
 
 local function play(subject)
-  local count = options.scenes > 0 and options.scenes or subject.scenes
+  local count = options.scenes > 0 and options.scenes or subject.count
   local first = options.seed > 0 and options.seed or 1
   count = options.quick and math.ceil(QUICK * count) or count
   count = options.seed > 0 and 1 or count

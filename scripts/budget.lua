@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 610 },
   { "physics/contacts", 383 },
   { "physics/fields", 666 },
-  { "physics/maps", 2195 },
+  { "physics/maps", 2169 },
   { "physics/memory", 718 },
   { "physics/motion", 983 },
   { "physics/narrowphase", 577 },
@@ -23,7 +23,7 @@ local BUDGET = {
   { "physics/sleep", 81 },
   { "physics/solver", 3201 },
   { "physics/space", 489 },
-  { "physics/state", 879 },
+  { "physics/state", 862 },
   { "physics/world", 1359 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

@@ -157,7 +157,7 @@ describe("world:loadTiled refuses", function()
     { { solidProperty = true }, "solidProperty must be a name, got true" },
     { { kinds = { Crate = "box" } }, 'kinds.Crate must be "static", "dynamic", "kinematic" …' },
     { { ellipses = "oval" }, 'ellipses must be "box" or "circle", got "oval"' },
-    { { wallWords = "wall" }, 'wallWords must be a list of names, got "wall"' },
+    { { ignore = "wall" }, 'ignore must be a list of names, got "wall"' },
     { { decode = "json" }, 'decode must be a function, got "json"' },
     { { ignore = { 5 } }, "ignore[1] must be a name, got 5" },
     { { onlyLayers = "things" }, 'onlyLayers must be a list of layer names, got "things"' },

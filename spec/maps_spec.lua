@@ -201,14 +201,6 @@ describe("loadTiled: the name of a layer", function()
     assert.same({ 1, "" }, { #level.sensors, solidOf(level) })
   end)
 
-  it("means what the game's own words say", function()
-    local map = newMap({ tiled.tiles(1, "Mur", { "1." }), tiled.tiles(2, "Mur du fond", { ".1" }) })
-    assert.equal(2, #load(map, { wallWords = { "mur" } }).walls)
-    assert.equal(1, #load(map, { wallWords = { "mur" }, pictureWords = { "fond" } }).walls)
-    map.layers[1].name = "Walls"
-    assert.equal(1, #load(map, { wallWords = { "mur" } }).walls)
-  end)
-
   -- The picture of a layer "collision", its tiles, options: how many are solid, and why.
   local shaped = { tiled.shapes(0, { tiled.object(1, 0, 8, 16, 8) }) }
   local BY_NAME = 'collision: its name, "collision"'

@@ -1,5 +1,5 @@
 --- A hero that pushes crates into a wedge, crates that slide below a hanging slope, and riders of a
---- train that passes below one. The three are played with one stream of random numbers.
+--- train that passes below one.
 
 local scenes = require("bench.contacts.scene")
 local small = require("spec.support.small")
@@ -7,29 +7,29 @@ local small = require("spec.support.small")
 local put, tile = small.put, small.tile
 
 local SLACK = 0.1 -- px
+local FLOOR = 60 -- px
 
--- Returns the lower side of the ceiling, or 0.
-local function addWedge(scene)
+-- Adds a hanging slope, with a block behind it or above it, or none.
+local function addHanging(scene, width, height)
   local random = scene.random
-  scene:add("walls", tile(-200, 60, 700, 16))
-  local kind = random:pick({ "topright", "topright", "right" })
-  local width, height = random:integer(16, 90), random:integer(10, 56)
-  if kind == "topright" then
-    local y = random:integer(math.max(0, 30 - height), 60 - height)
-    scene:add("walls", tile(100, y, width, height, { slope = kind }))
-    if random:chance(0.5) then
-      scene:add("walls", tile(100 + width, y, 40, 60 - y))
-    end
-    if random:chance(0.3) then
-      scene:add("walls", tile(100, y - 10, width, 10))
-    end
-    return 0
+  local y = random:integer(math.max(0, 30 - height), FLOOR - height)
+  scene:add("walls", tile(100, y, width, height, { slope = "topright" }))
+  if random:chance(0.5) then
+    scene:add("walls", tile(100 + width, y, 40, FLOOR - y))
   end
-  scene:add("walls", tile(100, 60 - height, width, height, { slope = kind }))
+  if random:chance(0.3) then
+    scene:add("walls", tile(100, y - 10, width, 10))
+  end
+end
+
+-- Adds a slope on the ground and a ceiling above it, and returns the lower side of that.
+local function addRising(scene, width, height)
+  local random = scene.random
+  scene:add("walls", tile(100, FLOOR - height, width, height, { slope = "right" }))
   local ceiling = random:integer(5, 34)
   scene:add("walls", tile(-200, ceiling - 8, 700, 8))
   if random:chance(0.3) then
-    scene:add("walls", tile(100 + width, 60 - height, 60, height))
+    scene:add("walls", tile(100 + width, FLOOR - height, 60, height))
   end
   return ceiling
 end
@@ -40,148 +40,133 @@ local function addPushed(scene, ceiling)
   for n = 1, random:integer(1, 3) do
     local width, height = random:integer(8, 20), random:integer(8, math.min(24, 59 - ceiling))
     x = x - width - random:pick({ 0, 0, 3, 8 })
-    local crate = put(x, 60 - height, width, height, { mass = random:pick({ 1, 1, 0.3, 4 }) })
-    crate.friction = random:chance(0.4) and 0.5 or nil
+    local crate = put(x, FLOOR - height, width, height)
+    scene:vary(crate, "mass", { 1, 1, 0.3, 4 }, "friction", { false, false, 0.5 })
     crates[n] = scene:add("crates", crate)
   end
   local width, height = random:integer(8, 16), random:integer(10, math.min(28, 59 - ceiling))
-  local hero = put(x - width - random:integer(0, 20), 60 - height, width, height)
-  hero.mass = random:pick({ 1, 1, 3 })
-  hero.nudge = random:chance(0.3) and 4 or nil
-  hero.snap = random:chance(0.3) and 6 or nil
+  local hero = put(x - width - random:integer(0, 20), FLOOR - height, width, height)
+  local nudges, snaps = { false, false, 4 }, { false, false, 6 }
+  scene:vary(hero, "mass", { 1, 1, 3 }, "nudge", nudges, "snap", snaps)
   return scene:add("heroes", hero), crates
 end
 
-local function push(scene, hz)
+-- What is looked at in every step.
+local function look(scene)
+  return function()
+    scene:measure("in something, px", scene:deepest())
+    scene:measure("crushed", scene.crushes)
+  end
+end
+
+-- Drives one back for a second, and measures how far it does not come.
+local function pullBack(scene, object, vx)
+  local x = object.x
+  scene:play(1, function()
+    object.vx = vx
+  end, look(scene))
+  scene:measure("in something at the end, px", scene:deepest())
+  scene:measure("held on the way out, px of 100", 100 - math.abs(object.x - x))
+end
+
+local function push(scene)
   local random = scene.random
-  scene:start(hz, random:chance(0.15) and 0 or 900)
-  local hero, crates = addPushed(scene, addWedge(scene))
+  local hz = scene:start({ 900, 900, 900, 900, 900, 0 })
+  scene:add("walls", tile(-200, FLOOR, 700, 16))
+  local add = random:pick({ addHanging, addHanging, addRising })
+  local ceiling = add(scene, random:integer(16, 90), random:integer(10, 56))
+  local hero, crates = addPushed(scene, ceiling or 0)
   local speed, isJumping = random:pick({ 60, 120, 200, 500 }), random:chance(0.3)
-  scene:run(2 * hz)
-  for n = 1, 3 * hz do
+  scene:play(2)
+  scene:play(3, function(n)
     hero.vx = speed
     if isJumping and hero.touching.bottom and n % math.floor(hz * 0.4) == 0 then
       hero.vy = -250
     end
-    scene:step()
-    scene:measure("pushed crates in something", scene:deepest())
-  end
-  local x = hero.x
-  for _ = 1, hz do
-    hero.vx = -100
-    scene:step()
-    scene:measure("pushed crates in something", scene:deepest())
-  end
-  scene:measure("the same at the end", scene:deepest())
-  scene:measure("pushing, crushed", scene.crushes)
+  end, look(scene))
   for _, crate in ipairs(crates) do
     if crate.x < hero.x then
       return -- it is in the way
     end
   end
-  scene:measure("pushing, held on the way out, of 100", 100 - (x - hero.x))
+  pullBack(scene, hero, -100)
 end
 
-local function slide(scene, hz)
+local function slide(scene)
   local random = scene.random
-  scene:start(hz)
-  scene:add("walls", tile(-300, 60, 800, 16))
+  scene:start()
+  scene:add("walls", tile(-300, FLOOR, 800, 16))
   local width, height = random:integer(12, 90), random:integer(8, 50)
   local way = random:pick({ 1, -1 })
   local slope = { slope = way > 0 and "topright" or "topleft" }
-  scene:add("walls", tile(100, 60 - height - random:integer(0, 20), width, height, slope))
-  local crateWidth, crateHeight = random:integer(6, 24), random:integer(6, 30)
-  local crate = put(way > 0 and 60 - crateWidth or 140 + width, 60 - crateHeight)
-  crate.width, crate.height = crateWidth, crateHeight
-  crate.friction = random:pick({ 0, 0.3 })
-  scene:add("crates", crate)
+  scene:add("walls", tile(100, FLOOR - height - random:integer(0, 20), width, height, slope))
+  local crate = put(140 + width, FLOOR, random:integer(6, 24), random:integer(6, 30))
+  crate.x, crate.y = way > 0 and FLOOR - crate.width or crate.x, FLOOR - crate.height
+  scene:add("crates", scene:vary(crate, "friction", { 0, 0.3 }))
   if random:chance(0.5) then
-    scene:add("crates", put(crate.x + (crateWidth - 8) / 2, 52 - crateHeight, 8, 8))
+    scene:add("crates", put(crate.x + (crate.width - 8) / 2, crate.y - 8, 8, 8))
   end
   local speed = random:pick({ 80, 200, 600, 2000 }) * way
-  for n = 1, 2 * hz do
+  scene:play(2, function(n)
     crate.vx = n % 3 > 0 and speed or crate.vx
-    scene:step()
-    scene:measure("sliding crates in something", scene:deepest())
-  end
-  local x = crate.x
-  for _ = 1, hz do
-    crate.vx = -100 * way
-    scene:step()
-    scene:measure("sliding crates in something", scene:deepest())
-  end
-  scene:measure("sliding, crushed", scene.crushes)
-  scene:measure("sliding, held on the way out, of 100", 100 - (x - crate.x) * way)
+  end, look(scene))
+  pullBack(scene, crate, -100 * way)
 end
 
 -- Adds a rider with a crate behind it, on it, both or none.
 local function addRiders(scene)
   local random = scene.random
   local width, height = random:integer(8, 20), random:integer(8, 30)
-  local riders = { scene:add("riders", put(50 - width, 60 - height, width, height)) }
+  local riders = { scene:add("riders", put(50 - width, FLOOR - height, width, height)) }
   if random:chance(0.5) then
-    local friction = random:pick({ 0, 0.5 })
-    riders[2] = scene:add("riders", put(38 - width, 50, 12, 10, { friction = friction }))
+    local crate = scene:vary(put(38 - width, FLOOR - 10, 12, 10), "friction", { 0, 0.5 })
+    riders[2] = scene:add("riders", crate)
   end
   if random:chance(0.5) then
-    riders[#riders + 1] = scene:add("riders", put(46 - width / 2, 52 - height, 8, 8))
+    riders[#riders + 1] = scene:add("riders", put(46 - width / 2, FLOOR - 8 - height, 8, 8))
   end
   return riders
 end
 
-local function ride(scene, hz)
+local function ride(scene)
   local random = scene.random
-  scene:start(hz)
+  local hz = scene:start()
   local width, height = random:integer(12, 90), random:integer(8, 60)
-  local y = 60 - height - random:integer(0, 30)
-  random:unit()
+  local y = FLOOR - height - random:integer(0, 30)
   scene:add("walls", tile(100, y, width, height, { slope = "topright" }))
   if random:chance(0.5) then
-    scene:add("walls", tile(100 + width, 0, 40, 60))
+    scene:add("walls", tile(100 + width, 0, 40, FLOOR))
   end
-  local speed, vy = random:pick({ 30, 60, 200 }), random:pick({ 0, 0, 0, -20, 20 })
-  local train = scene:add("trains", put(-500, 60, 590, 16, { kinematic = true, vx = speed }))
-  local riders = addRiders(scene)
-  for n = 1, 3 * hz do
+  local train = scene:vary(put(-500, FLOOR, 590, 16), "kinematic", { true }, "vx", { 30, 60, 200 })
+  scene:add("trains", train)
+  local riders, vy, was = addRiders(scene), random:pick({ 0, 0, 0, -20, 20 }), nil
+  scene:play(3, function(n)
     train.vy = n > hz and vy or 0
-    local was = scene:places(riders)
-    scene:step()
-    scene:measure("riding, moved in a step", scene:moved(riders, was))
-    if scene.crushes == 0 then
-      scene:measure("riders in something, not told", scene:deepest())
-    end
-  end
-  scene:measure("riding, crushed on a level train", vy == 0 and scene.crushes)
+    was = scene:places(riders)
+  end, function()
+    scene:measure("moved in a step, px", scene:moved(riders, was))
+    scene:measure("in something, not told, px", scene.crushes == 0 and scene:deepest())
+  end)
+  scene:measure("crushed on a level train", vy == 0 and scene.crushes)
   for _, rider in ipairs(riders) do
-    scene:measure("riding, told so often", scene.told[rider])
+    scene:measure("told so often", scene.told[rider])
   end
 end
 
-local function play(scene)
-  local hz = scenes.RATES[scene.seed % 3 + 1]
-  push(scene, hz)
-  slide(scene, hz)
-  ride(scene, hz)
-end
+local ROWS = {
+  { "in something, px", SLACK },
+  { "in something at the end, px", SLACK },
+  { "crushed", 0 },
+  { "held on the way out, px of 100", 10 },
+}
 
 return {
-  {
-    name = "crates",
-    scenes = 2100,
-    salt = { 17, 3 },
-    rows = {
-      { "pushed crates in something", SLACK, "px" },
-      { "the same at the end", SLACK, "px" },
-      { "pushing, crushed", 0 },
-      { "pushing, held on the way out, of 100", 10, "px" },
-      { "sliding crates in something", SLACK, "px" },
-      { "sliding, crushed", 0 },
-      { "sliding, held on the way out, of 100", 10, "px" },
-      { "riders in something, not told", SLACK, "px" },
-      { "riding, crushed on a level train", 0 },
-      { "riding, told so often", 1 },
-      { "riding, moved in a step", 26, "px" },
-    },
-    play = play,
-  },
+  scenes.subject("pushed", 2100, push, ROWS),
+  scenes.subject("slid", 2100, slide, ROWS),
+  scenes.subject("riders", 2100, ride, {
+    { "in something, not told, px", SLACK },
+    { "crushed on a level train", 0 },
+    { "told so often", 1 },
+    { "moved in a step, px", 26 },
+  }),
 }

@@ -8,101 +8,78 @@ local small = require("spec.support.small")
 
 local put, tile = small.put, small.tile
 
+local WIDTH, HEIGHT = 240, 180 -- px, of the room
+local SLOPES = { false, "left", "right", "topleft", "topright" }
+
 local function gapOf(a, b)
   local shape, other = shapes.of(a), shapes.of(b)
   local gap = shapes.gap(shape, a.x, a.y, a.width, a.height, other, b.x, b.y, b.width, b.height)
   return gap
 end
 
--- A name of each object that is the same in another run.
-local function namesOf(world)
-  local names = {}
-  for group, objects in pairs(world.objects) do
-    for n, object in pairs(objects) do
-      names[object] = group .. tostring(n)
-    end
-  end
-  return names
+-- A rectangle somewhere in the room.
+local function place(random, leastWidth, mostWidth, leastHeight, mostHeight)
+  local width, height =
+    random:integer(leastWidth, mostWidth), random:integer(leastHeight, mostHeight)
+  return put(random:integer(0, WIDTH - width), random:integer(0, HEIGHT - height), width, height)
 end
 
-local function addThing(scene, fixed, things)
-  local random, size = scene.random, scene.random:integer(8, 22)
-  local thing = put(random:integer(0, 218), random:integer(0, 158), size, size)
-  thing.radius = random:chance(0.35) and size / 2 or nil
-  local isThere = scene:isFree(thing, things)
-  for _, other in ipairs(fixed) do
-    if overlap.depth(thing, other) > 0 and random:chance(0.9) then
-      isThere = false
-    end
-  end
-  if isThere then
-    things[#things + 1] = scene:add("things", thing)
-  end
-end
-
--- Builds a room of slopes and movers, and returns the movers.
+-- Builds a room of slopes, movers and things, some of them in something, and returns the movers.
 local function build(scene)
   local random = scene.random
-  local hz, gravity = random:pick(scenes.RATES), random:pick({ 900, 900, 0 })
-  local world = scene:start(hz, gravity)
-  world:setBounds(0, 0, 240, 180)
-  local bounds = world.objects.bounds
-  local fixed = { bounds.top, bounds.bottom, bounds.left, bounds.right }
+  scene:start({ 900, 900, 0 })
+  scene.world:setBounds(0, 0, WIDTH, HEIGHT)
   for _ = 1, random:integer(4, 12) do
-    local width, height = random:integer(16, 80), random:integer(12, 60)
-    local x, y = random:integer(0, 240 - width), random:integer(0, 180 - height)
-    local slope = random:chance(0.85) and random:pick(scenes.SLOPES) or nil
-    fixed[#fixed + 1] = scene:add("slopes", tile(x, y, width, height, { slope = slope }))
+    local wall = scene:vary(place(random, 16, 80, 12, 60), "static", { true }, "slope", SLOPES)
+    scene:add("walls", wall)
   end
-  local movers, things = {}, {}
+  local movers = {}
   for n = 1, random:integer(1, 3) do
-    local width, height = random:integer(20, 70), random:integer(10, 40)
-    local x, y = random:integer(0, 240 - width), random:integer(0, 180 - height)
-    local mover = put(x, y, width, height, { kinematic = true })
-    mover.slope = random:chance(0.6) and random:pick(scenes.SLOPES) or nil
-    mover.vx, mover.vy = random:pick({ 0, 40, -40 }), random:pick({ 0, 50, -50 })
+    local mover = scene:vary(place(random, 20, 70, 10, 40), "kinematic", { true }, "slope", SLOPES)
+    scene:vary(mover, "vx", { 0, 40, -40 }, "vy", { 0, 50, -50 })
     movers[n] = scene:add("movers", mover)
-    fixed[#fixed + 1] = mover
   end
+  local solid, things = small.set({}, scene.objects), {}
   for _ = 1, random:integer(2, 7) do
-    addThing(scene, fixed, things)
+    local size = random:integer(8, 22)
+    local thing = place(random, size, size, size, size)
+    thing.radius = random:chance(0.35) and size / 2 or nil
+    if scene:isFree(thing, solid) or random:chance(0.03) then
+      scene:addFree("things", thing, things)
+    end
   end
   return movers
 end
 
--- Makes steps, in which the movers turn at the walls.
-local function drive(scene, movers, count)
-  for _ = 1, count do
-    for _, mover in ipairs(movers) do
-      scene:turn(mover, -10, 250 - mover.width, -10, 190 - mover.height)
-    end
-    scene:step()
-  end
-end
-
 local function playNames(scene)
-  local movers = build(scene)
-  local world, log = scene.world, {}
-  local names = namesOf(world)
-  world.onCrush = function(object, a, b, axis)
-    log[#log + 1] =
-      table.concat({ names[object], tostring(names[a]), tostring(names[b]), axis }, " ")
+  local movers, names, log = build(scene), {}, {}
+  local world = scene.world
+  for group, objects in pairs(world.objects) do
+    for n, object in pairs(objects) do
+      names[object] = group .. " " .. n
+    end
+  end
+  function world.onCrush(object, a, b, axis)
+    local words = { names[object], tostring(names[a]), tostring(names[b]), axis }
+    log[#log + 1] = table.concat(words, ", ")
     scene:show("      crushed: %s", log[#log])
     for _, other in ipairs({ a or false, b or false }) do
       local isWrong = not (other and world:groupOf(other)) or other == object
       scene:measure("names nothing, or itself", isWrong)
-      scene:measure("names one that is away", not isWrong and gapOf(object, other))
+      scene:measure("names one that is away, px", not isWrong and gapOf(object, other))
     end
   end
-  local count = math.floor(5 * scene.hz)
-  local half = math.floor(count * (0.3 + scene.seed % 5 / 10))
-  drive(scene, movers, half)
-  local state = world:save()
-  local logs, hashes = {}, {}
+  local function drive()
+    for _, mover in ipairs(movers) do
+      scene:turn(mover, -10, WIDTH + 10 - mover.width, -10, HEIGHT + 10 - mover.height)
+    end
+  end
+  scene:play(1.5 + scene.seed % 5 / 2, drive)
+  local state, logs, hashes = world:save(), {}, {}
   for n = 1, 2 do
     log = {}
-    drive(scene, movers, count - half)
-    logs[n], hashes[n] = table.concat(log, ";"), world:hash()
+    scene:play(2.5, drive)
+    logs[n], hashes[n] = table.concat(log, "; "), world:hash()
     world:restore(state)
   end
   scene:measure("differs after restore", logs[1] ~= logs[2] or hashes[1] ~= hashes[2])
@@ -112,13 +89,10 @@ end
 
 local function playElsewhere(scene)
   local random = scene.random
-  local hz = random:pick(scenes.RATES)
-  scene:start(hz)
+  local hz = scene:start()
   scene:add("floors", tile(-1000, 300, 2000, 20))
-  local slope = random:pick({ false, "topleft", "topright" }) or nil
-  local press = put(0, 100, 120, random:pick({ 20, 60 }), { kinematic = true, slope = slope })
-  press.vy = 60
-  scene:add("presses", press)
+  local press = put(0, 100, 120, random:pick({ 20, 60 }), { kinematic = true, vy = 60 })
+  scene:add("presses", scene:vary(press, "slope", { false, "topleft", "topright" }))
   local isRound = random:chance(0.3)
   local thing = isRound and small.ball(60, 290, 10) or put(random:between(20, 80), 276, 14, 24)
   if random:chance(0.3) then
@@ -132,48 +106,34 @@ local function playElsewhere(scene)
   if scene.crushes == 0 then
     return
   end
-  scene:run(random:integer(0, 6))
+  scene:play(random:integer(0, 6) / hz)
   press.vy = random:pick({ 0, 60, -60 })
-  local where = random:pick({ "far", "far", "press", "beside" })
-  local isFree = where ~= "press"
-  thing.x, thing.y, thing.vx, thing.vy = press.x + 100 - thing.width, press.y + 4, 0, 0
+  local isFree = random:chance(0.75)
+  thing.vx, thing.vy, scene.crushes = 0, 0, 0
   if isFree then
-    thing.x, thing.y = where == "far" and 400 or 140, where == "far" and 276 or 260
+    thing.x, thing.y = random:pick({ 140, 400 }), 260
+  else
+    thing.x, thing.y = press.x + 100 - thing.width, press.y + 4
   end
-  scene.crushes = 0
   local x = thing.x
-  scene:run(hz / 2, function()
+  scene:play(0.5, nil, function()
     thing.vx = isFree and 60 or thing.vx
   end)
-  scene:measure("not free", isFree and math.abs(thing.x - x - 30) - 60 / hz)
+  scene:measure("not free, px", isFree and math.abs(thing.x - x - 30) - 60 / hz)
   scene:measure("crushed where it is free", isFree and scene.crushes)
-  scene:measure(
-    "put into the press: not told",
-    not isFree and scene.crushes == 0 and overlap.depth(thing, press)
-  )
+  local isUntold = not isFree and scene.crushes == 0
+  scene:measure("put into the press, not told, px", isUntold and overlap.depth(thing, press))
 end
 
 return {
-  {
-    name = "crushes",
-    scenes = 400,
-    salt = { 37, 11 },
-    rows = {
-      { "names nothing, or itself", 0 },
-      { "names one that is away", 1, "px" },
-      { "differs after restore", 0 },
-    },
-    play = playNames,
-  },
-  {
-    name = "elsewhere",
-    scenes = 300,
-    salt = { 13, 2 },
-    rows = {
-      { "not free", 1e-6, "px" },
-      { "crushed where it is free", 0 },
-      { "put into the press: not told", 0.01, "px" },
-    },
-    play = playElsewhere,
-  },
+  scenes.subject("crushes", 400, playNames, {
+    { "names nothing, or itself", 0 },
+    { "names one that is away, px", 1 },
+    { "differs after restore", 0 },
+  }),
+  scenes.subject("elsewhere", 300, playElsewhere, {
+    { "not free, px", 1e-6 },
+    { "crushed where it is free", 0 },
+    { "put into the press, not told, px", 0.01 },
+  }),
 }

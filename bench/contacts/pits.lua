@@ -17,39 +17,33 @@ local function addPit(scene, width, hasBoxes)
     local radius, column = random:between(6, 11), n % columns
     local x = 2 + column * 25 + random:between(0, 24 - 2 * radius)
     local y = 370 - (n - column) / columns * 26 - random:between(0, 3)
-    local object = put(x, y, 2 * radius, 2 * radius)
-    if hasBoxes and n % 3 == 0 then
-      object.friction = 0.3
-    else
-      object.radius = radius
-    end
-    scene:add("balls", object)
+    local isBox = hasBoxes and n % 3 == 0
+    local fields = { friction = isBox and 0.3 or nil, radius = not isBox and radius or nil }
+    scene:add("balls", put(x, y, 2 * radius, 2 * radius, fields))
   end
 end
 
 local function playPit(scene)
-  local hz, hasBoxes = scene:each(scenes.RATES), scene:each({ false, true })
-  local width = scene.random:pick({ 220, 260, 320 })
-  local world = scene:start(hz, 800)
-  addPit(scene, width, hasBoxes)
+  local hz = scene:start(800, scene:each(scenes.RATES))
+  local hasBoxes = scene:each({ false, true })
+  addPit(scene, scene.random:pick({ 220, 260, 320 }), hasBoxes)
   local hasMet, left, landed = {}, COUNT, nil
-  world.onBegin = function(a, b)
+  function scene.world.onBegin(a, b)
     for _, object in ipairs({ a, b }) do
       if not object.static and not hasMet[object] then
         hasMet[object], left = true, left - 1
       end
     end
   end
-  for frame = 1, 14 * hz do
+  repeat
     scene:step()
-    landed = landed or left == 0 and frame
-    if landed and world.stats.resting == COUNT then
-      scene:measure("rests after all have landed", (frame - landed) / hz)
-      scene:measure("in each other at rest", scene:deepest())
-      return
-    end
-  end
-  scene:measure("moves after 14 s", true)
+    landed = landed or left == 0 and scene.frame
+    local isAtRest = landed and scene.world.stats.resting == COUNT
+  until isAtRest or scene.frame >= 14 * hz
+  local isStill = scene.world.stats.resting == COUNT
+  scene:measure("moves after 14 s", not isStill)
+  scene:measure("rests after all have landed, s", isStill and (scene.frame - landed) / hz)
+  scene:measure("in each other at rest, px", isStill and scene:deepest())
 end
 
 local function touchAll(things)
@@ -62,15 +56,13 @@ local function touchAll(things)
 end
 
 local function playQueue(scene)
-  local random = scene.random
-  local kind = ({ "boxes", "equal balls", "balls", "mixed" })[scene.seed % 4 + 1]
-  local hz, count = random:pick(scenes.RATES), random:integer(2, 16)
-  local world = scene:start(hz, 800)
-  local speed, friction = random:pick({ 40, 80, 150 }), random:pick({ 0.3, 0.5, 0.9 })
-  local belt = { surfaceSpeed = speed, friction = friction }
+  local kind = scene:each({ "boxes", "equal balls", "balls", "mixed" })
+  local random, hz, things = scene.random, scene:start(800), {}
+  local friction = random:pick({ 0.3, 0.5, 0.9 })
+  local belt = { surfaceSpeed = random:pick({ 40, 80, 150 }), friction = friction }
   scene:add("belts", tile(-600, 100, 1000, 20, belt))
   scene:add("walls", tile(400, -100, 20, 220))
-  local x, equal, things = 400 - random:between(0, 40), random:between(5, 9), {}
+  local x, equal, count = 400 - random:between(0, 40), random:between(5, 9), random:integer(2, 16)
   for n = 1, count do
     local radius = kind == "equal balls" and equal or random:between(5, 9)
     local isBox = kind == "boxes" or kind == "mixed" and random:chance(0.5)
@@ -80,39 +72,26 @@ local function playQueue(scene)
     things[n] = scene:add("things", thing)
   end
   local arrived
-  for frame = 1, 20 * hz do
+  repeat
     scene:step()
-    arrived = arrived or touchAll(things) and frame
-    if world.stats.resting == count then
-      scene:measure("rests after all touch", (frame - (arrived or frame)) / hz)
-      break
-    end
-  end
-  scene:measure("moves after 20 s", world.stats.resting < count)
-  scene:measure("in each other at rest", scene:deepest())
+    arrived = arrived or touchAll(things) and scene.frame
+    local isAtRest = scene.world.stats.resting == count
+  until isAtRest or scene.frame >= 20 * hz
+  local isStill = scene.world.stats.resting == count
+  scene:measure("moves after 20 s", not isStill)
+  scene:measure("rests after all touch, s", isStill and arrived and (scene.frame - arrived) / hz)
+  scene:measure("in each other at the end, px", scene:deepest())
 end
 
 return {
-  {
-    name = "pits",
-    scenes = 144,
-    salt = { 101, 13 },
-    rows = {
-      { "rests after all have landed", 2, "s" },
-      { "moves after 14 s", 0 },
-      { "in each other at rest", 0.1, "px" },
-    },
-    play = playPit,
-  },
-  {
-    name = "queues",
-    scenes = 960,
-    salt = { 59, 4 },
-    rows = {
-      { "rests after all touch", 2, "s" },
-      { "moves after 20 s", 0 },
-      { "in each other at rest", 0.1, "px" },
-    },
-    play = playQueue,
-  },
+  scenes.subject("pits", 144, playPit, {
+    { "rests after all have landed, s", 2 },
+    { "moves after 14 s", 0 },
+    { "in each other at rest, px", 0.1 },
+  }),
+  scenes.subject("queues", 960, playQueue, {
+    { "rests after all touch, s", 2 },
+    { "moves after 20 s", 0 },
+    { "in each other at the end, px", 0.1 },
+  }),
 }

@@ -7,42 +7,34 @@ local small = require("spec.support.small")
 
 local put, tile = small.put, small.tile
 
-local KINDS = { "box", "ball", "stack", "box on ball", "ball on box" }
-local FLOOR = 400
+local FLOOR = 400 -- px
+local WAY = 90 -- px, of the press to the floor
+
+-- Kinds of what is pressed, from the floor upwards.
+local KINDS = { { "box" }, { "ball" }, { "box", "box" }, { "ball", "box" }, { "box", "ball" } }
 
 local function addFloor(scene)
-  return scene:add("floors", tile(-2e5, FLOOR, 4e5, 20))
+  scene:add("floors", tile(-2e5, FLOOR, 4e5, 20))
 end
 
--- Adds what is pressed, from the floor upwards; returns it, and where its middle is.
-local function addPressed(scene, kind, pressWidth)
-  local random, list = scene.random, {}
-  local size, second = random:integer(8, 24), random:integer(8, 24)
-  local x = random:between(0.15, 0.85) * pressWidth
-  local function box(bottom, width)
-    local left = x - width / 2 + random:between(-2, 2)
-    local friction = random:pick({ false, 0.5 }) or nil
-    list[#list + 1] = put(left, bottom - width, width, width, { friction = friction })
-  end
-  if kind == "box" or kind == "stack" or kind == "ball on box" then
-    box(FLOOR, size)
-  else
-    list[1] = small.ball(x, FLOOR - size / 2, size / 2)
-  end
-  if kind == "stack" then
-    box(FLOOR - size, second)
-    if random:chance(0.5) then
-      box(FLOOR - size - second, 8)
+-- Adds what is pressed, with its middle at x.
+local function addPressed(scene, kind, x)
+  local random, list, bottom = scene.random, {}, FLOOR
+  for n, shape in ipairs(kind) do
+    local size = random:integer(8, 24)
+    local object = put(x - size / 2, bottom - size, size, size)
+    if shape == "ball" then
+      object.radius = size / 2
+    else
+      object.x = object.x + random:between(-2, 2)
+      scene:vary(object, "friction", { false, 0.5 })
     end
-  elseif kind == "box on ball" then
-    list[2] = put(x - second / 2, FLOOR - size - second, second, second)
-  elseif kind == "ball on box" then
-    list[2] = small.ball(list[1].x + size / 2, FLOOR - size - second / 2, second / 2)
+    list[n], bottom = scene:add("things", object), bottom - size
   end
-  for _, object in ipairs(list) do
-    scene:add("things", object)
+  if #kind == 2 and kind[1] == kind[2] and random:chance(0.5) then
+    list[3] = scene:add("things", put(x - 4, bottom - 8, 8, 8))
   end
-  return list, x
+  return list
 end
 
 local function fastest(object)
@@ -50,70 +42,60 @@ local function fastest(object)
 end
 
 -- Looks at a step of each object: `was` and `speeds` are from before it.
-local function measureStep(scene, list, was, speeds, speed)
+local function look(scene, list, was, speeds, speed)
   local hz = scene.hz
   for n, object in ipairs(list) do
     local before, now = speeds[n], fastest(object)
-    local allowed = math.max(before, now, speed) / hz * 2 + 900 / hz / hz
-    local beyond = scene:moved({ object }, { was[n] }) - allowed
-    scene:measure("moved more than its speed explains", beyond - object.width / 4)
-    if not object.radius and now > before + 100 then
-      scene:measure("a box thrown, px/s too fast", now - 3 * speed - 300)
-    end
+    local allowed = math.max(before, now, speed) / hz * 2 + 900 / hz / hz + object.width / 4
+    scene:measure("moved by surprise, px", scene:moved({ object }, { was[n] }) - allowed)
+    local isThrown = not object.radius and now > before + 100
+    scene:measure("a box thrown, px/s too fast", isThrown and now - 3 * speed - 300)
   end
 end
 
-local function measureEnd(scene, list, x)
+local function lookAtEnd(scene, list, x)
   for _, object in ipairs(list) do
     scene:measure("told so often", scene.told[object])
-    scene:measure("ends in the floor", object.y + object.height - FLOOR)
-    scene:measure("a box ends far away", not object.radius and math.abs(object.x - x))
+    scene:measure("ends in the floor, px", object.y + object.height - FLOOR)
+    scene:measure("a box ends far away, px", not object.radius and math.abs(object.x - x))
   end
 end
 
 local function playPress(scene)
-  local random, kind = scene.random, KINDS[scene.seed % 5 + 1]
-  local hz = random:pick(scenes.RATES)
-  scene:start(hz)
+  local random, kind = scene.random, scene:each(KINDS)
+  local hz = scene:start()
   addFloor(scene)
   local width, height = random:integer(60, 300), random:integer(10, 90)
-  local fields = { slope = random:pick({ "topleft", "topright" }), kinematic = true }
-  local press = scene:add("presses", put(0, FLOOR - height - 90, width, height, fields))
-  local list, x = addPressed(scene, kind, width)
-  if random:chance(0.4) then
-    local gap = random:pick({ 0, 5 })
-    scene:add("walls", tile(x - 40 - gap, 300, 20, 100))
-    if random:chance(0.5) then
-      scene:add("walls", tile(x + 20 + gap, 300, 20, 100))
-    end
+  local press = put(0, FLOOR - height - WAY, width, height, { kinematic = true })
+  scene:add("presses", scene:vary(press, "slope", { "topleft", "topright" }))
+  local x = random:between(0.15, 0.85) * width
+  local list, gap = addPressed(scene, kind, x), random:pick({ 0, 5 })
+  for n = 1, random:pick({ 0, 0, 0, 1, 2 }) do
+    scene:add("walls", tile(n == 1 and x - 40 - gap or x + 20 + gap, 300, 20, 100))
   end
-  scene:run(hz / 2)
+  scene:play(0.5)
   local speed, lowest, turn = random:pick({ 45, 60, 150 }), 0, math.floor(2.2 * hz)
+  local was, speeds = nil, {}
   press.vy = speed
-  for n = 1, 3.5 * hz do
-    local was, speeds = scene:places(list), {}
+  scene:play(3.5, function(n)
+    was = scene:places(list)
     for k, object in ipairs(list) do
       speeds[k] = fastest(object)
     end
-    if press.y > FLOOR - height - 4 and press.vy > 0 then
-      press.vy = 0
-    end
+    press.vy = press.y > FLOOR - height - 4 and math.min(press.vy, 0) or press.vy
     press.vy = n == turn and -speed or press.vy
-    scene:step()
+  end, function(n)
     lowest = math.max(lowest, press.y)
+    look(scene, list, was, speeds, speed)
     for _, object in ipairs(n == turn - 1 and list or {}) do
       local isOver = object.x + object.width > press.x and object.x < press.x + width
       scene:measure("ends above the press", isOver and object.y + object.height < press.y + 1)
     end
-    measureStep(scene, list, was, speeds, speed)
-  end
-  measureEnd(scene, list, x)
-  if kind == "box" and scene.crushes == 0 then
-    scene:measure(
-      "pressed, but not told",
-      overlap.depth(list[1], small.set(put(0, lowest, width, height), fields))
-    )
-  end
+  end)
+  lookAtEnd(scene, list, x)
+  press.y = lowest
+  local isUntold = #list == 1 and not list[1].radius and scene.crushes == 0
+  scene:measure("pressed, not told, px", isUntold and overlap.depth(list[1], press))
 end
 
 -- Standing up below a slope -----------------------------------------------------------------------
@@ -125,69 +107,47 @@ end
 
 local function playStandUp(scene)
   local random = scene.random
-  local hz = random:pick(scenes.RATES)
-  scene:start(hz)
+  scene:start()
   addFloor(scene)
   local width, height, low = random:integer(20, 150), random:integer(3, 16), random:integer(10, 20)
-  local name = random:pick({ "topleft", "topright" })
-  local slope = scene:add("slopes", tile(0, FLOOR - low - height, width, height, { slope = name }))
-  local heroWidth = random:integer(8, 20)
-  local tall = random:integer(low + height, 40)
-  local x = random:between(0.1, 0.9) * width - heroWidth / 2
-  local hero = scene:add("heroes", put(x, FLOOR - low, heroWidth, low))
-  scene:run(20)
-  if overlap.depth(hero, slope) > 1e-6 then
-    return
-  end
-  x = hero.x
+  local slope = tile(0, FLOOR - low - height, width, height)
+  scene:add("slopes", scene:vary(slope, "slope", { "topleft", "topright" }))
+  local hero = put(random:between(0.1, 0.9) * width - 7, FLOOR - low, random:integer(8, 20), low)
+  scene:add("heroes", hero)
+  scene:play(0.5)
+  local x, tall = hero.x, random:integer(low + height, 40)
   setHeight(hero, tall)
-  local deep, most = overlap.depth(hero, slope), 0
-  for _ = 1, hz do
-    local was = scene:places({ hero })
-    scene:step()
+  local deep, most, was = overlap.depth(hero, slope), 0, nil
+  scene:play(1, function()
+    was = scene:places({ hero })
+  end, function()
     most = math.max(most, scene:moved({ hero }, was))
-  end
+  end)
   local isThrown = most > 12 or hero.y < FLOOR - tall - 1 or math.abs(hero.x - x) > 1
-  scene:measure("thrown, standing up", isThrown and most)
+  scene:measure("thrown, px", isThrown and most)
   scene:measure("told so often", scene.told[hero])
-  scene:measure(
-    "pressed, but not told",
-    scene.crushes == 0 and deep > 0.01 and overlap.depth(hero, slope)
-  )
+  local isUntold = scene.crushes == 0 and deep > 0.01
+  scene:measure("pressed, not told, px", isUntold and overlap.depth(hero, slope))
   setHeight(hero, low)
-  scene:run(hz)
-  scene:measure(
-    "does not crouch to the floor again",
-    hero.y > slope.y and math.abs(hero.y + low - FLOOR)
-  )
+  scene:play(1)
+  local isBelow = hero.y > slope.y
+  scene:measure("does not crouch again, px", isBelow and math.abs(hero.y + low - FLOOR))
 end
 
 return {
-  {
-    name = "presses",
-    scenes = 1440,
-    salt = { 11, 6 },
-    rows = {
-      { "moved more than its speed explains", 4, "px" },
-      { "a box thrown, px/s too fast", 0 },
-      { "told so often", 1 },
-      { "pressed, but not told", 1, "px" },
-      { "ends above the press", 0 },
-      { "ends in the floor", 0.02, "px" },
-      { "a box ends far away", 400, "px" },
-    },
-    play = playPress,
-  },
-  {
-    name = "standing-up",
-    scenes = 600,
-    salt = { 3, 1 },
-    rows = {
-      { "thrown, standing up", 0, "px" },
-      { "told so often", 1 },
-      { "pressed, but not told", 0.01, "px" },
-      { "does not crouch to the floor again", 1e-6, "px" },
-    },
-    play = playStandUp,
-  },
+  scenes.subject("presses", 1440, playPress, {
+    { "moved by surprise, px", 4 },
+    { "a box thrown, px/s too fast", 0 },
+    { "told so often", 1 },
+    { "pressed, not told, px", 1 },
+    { "ends above the press", 0 },
+    { "ends in the floor, px", 0.02 },
+    { "a box ends far away, px", 400 },
+  }),
+  scenes.subject("standing-up", 600, playStandUp, {
+    { "thrown, px", 0 },
+    { "told so often", 1 },
+    { "pressed, not told, px", 0.01 },
+    { "does not crouch again, px", 1e-6 },
+  }),
 }

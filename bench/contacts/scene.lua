@@ -1,11 +1,5 @@
---- A random scene of bench/contacts.lua: worlds whose steps can be shown, and the figures of the
---- scene, by the rows of its subject. A file of bench/contacts/ returns a list of subjects:
----
----   name    for --only
----   scenes  number of scenes of a complete run
----   salt    factor and summand that make the first random number of the seed
----   rows    lists of a text, an aim (the figure that a scene may have at most), and a unit
----   play    f(scene): builds worlds, plays them, and measures
+--- A random scene of bench/contacts.lua: worlds whose steps can be shown, and the worst figures of
+--- the scene. A file of bench/contacts/ returns a list of subjects (`scenes.subject`).
 
 local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
@@ -20,10 +14,18 @@ scenes.EXACT = 1.001e-6 -- px, up to which two that touch may overlap
 local Scene = {}
 Scene.__index = Scene
 
+--- Makes a subject.
+---@param name string
+---@param count integer scenes of a complete run
+---@param play fun(scene: table) builds worlds, plays them, and measures
+---@param rows table[] name of a figure, and its aim: the most that a scene may have
+function scenes.subject(name, count, play, rows)
+  return { name = name, count = count, play = play, rows = rows }
+end
+
 --- Makes a scene of a subject; `isShown`: it prints what happens.
 function scenes.new(subject, seed, isShown)
   local scene = setmetatable({ seed = seed, isShown = isShown, values = {}, frames = {} }, Scene)
-  scene.salt = subject.salt
   scene:reseed(seed)
   for _, row in ipairs(subject.rows) do
     scene.values[row[1]] = 0
@@ -33,7 +35,7 @@ end
 
 --- Begins the random numbers of a seed.
 function Scene:reseed(seed)
-  self.left, self.random = seed, newRandom(seed * self.salt[1] + self.salt[2])
+  self.left, self.random = seed, newRandom(seed)
 end
 
 --- One of a list, so that consecutive seeds take all combinations of the lists of a scene, with the
@@ -44,22 +46,41 @@ function Scene:each(list)
   return list[n + 1]
 end
 
---- Begins a world. `told` counts the calls of `onCrush` by object, `crushes` all of them.
----@param hz number steps a second
----@param gravity? number default 900
----@return table world
-function Scene:start(hz, gravity)
-  self.hz, self.frame, self.objects, self.shown = hz, 0, {}, {}
+--- Sets fields of an object, each to one of a list (false: to none), and returns it:
+--- `scene:vary(crate, "mass", { 1, 5 }, "snap", { false, 6 })`.
+function Scene:vary(object, ...)
+  local fields = { ... }
+  for n = 1, #fields, 2 do
+    object[fields[n]] = self.random:pick(fields[n + 1]) or nil
+  end
+  return object
+end
+
+--- Begins a world.
+---@param gravity? number|number[] or one of a list, default 900
+---@param hz? number|number[] steps a second, default one of RATES
+---@return number hz
+function Scene:start(gravity, hz)
+  gravity, hz = gravity or 900, hz or scenes.RATES
+  self.hz = type(hz) == "table" and self.random:pick(hz) or hz
+  self.gravity = type(gravity) == "table" and self.random:pick(gravity) or gravity
+  self:again()
+  return self.hz
+end
+
+--- Begins another world with the same gravity and rate. `told` counts the calls of `onCrush` by
+--- object, `crushes` all of them.
+function Scene:again()
+  self.frame, self.objects, self.shown = 0, {}, {}
   self.told, self.crushes = {}, 0
-  self.world = physics.newWorld({ gravity = gravity or 900 })
+  self.world = physics.newWorld({ gravity = self.gravity })
   self.findDeepest = overlap.checker(self.objects)
   self.world.onCrush = function(object)
     self.crushes = self.crushes + 1
     self.told[object] = (self.told[object] or 0) + 1
     self:show("crushed: %s", tostring(self.world:groupOf(object)))
   end
-  self:show("a world with gravity %g, %d Hz", gravity or 900, hz)
-  return self.world
+  self:show("a world with gravity %g, %d Hz", self.gravity, self.hz)
 end
 
 --- Prints a line, if the scene is shown.
@@ -104,12 +125,15 @@ function Scene:step()
   end
 end
 
---- Makes steps; `each(n)` is called after the n-th.
-function Scene:run(count, each)
-  for n = 1, count do
+--- Plays some seconds; `before(n)` is called before the n-th step, `after(n)` behind it.
+function Scene:play(seconds, before, after)
+  for n = 1, seconds * self.hz + 1e-6 do
+    if before then
+      before(n)
+    end
     self:step()
-    if each then
-      each(n)
+    if after then
+      after(n)
     end
   end
 end
@@ -127,6 +151,13 @@ function Scene.isFree(_, object, others, gap)
     end
   end
   return true
+end
+
+--- Adds an object to the world and to a list, if it is that far from all of the list.
+function Scene:addFree(group, object, list, gap)
+  if self:isFree(object, list, gap) then
+    list[#list + 1] = self:add(group, object)
+  end
 end
 
 --- Sends a mover back that has come to an end of its way.

@@ -34,12 +34,12 @@ local atlas = {}
 local Atlas = {}
 Atlas.__index = Atlas
 
-local LISTS, TABLES = level.LISTS .. " lines points", " byId byIid named tileLayers"
+local LISTS, TABLES = level.LISTS, " byId byIid named tileLayers"
 
 local function join(self, made)
   for name in LISTS:gmatch("%a+") do
     local list = self[name]
-    for _, entry in ipairs(made[name] or {}) do
+    for _, entry in ipairs(made[name]) do
       list[#list + 1] = entry
     end
   end
@@ -59,11 +59,9 @@ end
 function Atlas._read(self, isWanted)
   local made = {}
   for _, map in ipairs(self.maps) do
-    made[map] = isWanted[map.name] and self._made[map] or nil
-    if isWanted[map.name] and not made[map] then
+    if isWanted[map.name] then
       local options = properties.join(self._options, { x = map.x, y = map.y })
-      local loaded, layers, add = self._readMap(self._world, map.path, options)
-      made[map] = { level = loaded, layers = layers, add = add }
+      made[map] = self._made[map] or self._readMap(self._world, map.path, options)
     end
   end
   return made
@@ -103,7 +101,8 @@ end
 --- Makes a level of the maps of a world of the editor. Errors: one of them cannot be read.
 ---@param world table
 ---@param maps table[] physics.AtlasMap
----@param readMap function reads a map; returns its level, its tiles, and a function that adds them
+---@param readMap function reads a map; returns its `level`, the `layers` of its tiles, and a
+---  function `add` that adds them
 ---@param options table? as the game has given them; `later`: no map is there at first
 ---@param given table? the decoded world
 ---@param name string by which a state finds it

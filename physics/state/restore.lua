@@ -28,6 +28,7 @@ local restore = {}
 local STATIC = constants.STATIC
 local COLUMNS, PAIRS, VALUES = layout.KEPT, format.PAIRS, events.VALUES
 local NONE = {}
+local MISFIT = "%s has %d objects in the state and %d here: numbers shift, string keys stay"
 local max, min = math.max, math.min
 
 -- Which table is which object ---------------------------------------------------------------------
@@ -42,32 +43,22 @@ local function keyOf(group, m)
   return group.direct and group.name or group.keys and group.keys[m] or m
 end
 
--- A sentence that names the first group under numbers that has another count of objects here than
--- in a state from elsewhere: then fields may land on the wrong objects. nil: there is no
--- such group. (Of a group of loaded objects that says nothing.)
-local function misfit(world, st, named)
-  for _, group in ipairs(st.groups) do
-    local members, count = world.objects[group.name], group.count
-    local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
-    local here = type(members) == "table" and not check.isObject(members) and #members or 0
-    local isLoaded = named and here > 0 and recall.nameOf(members[1])
-    if isNumbered and count ~= here and here > 0 and not isLoaded then
-      local text = "%s has %d objects in the state and %d here: numbers shift, string keys stay"
-      return text:format(check.place(group.name), count, here)
-    end
-  end
-end
-
 -- Returns all objects that a state from elsewhere names, by number: those `named`, if the state has
--- names; those at the same places, unless they have a name; and new ones. Second: the sentence
--- of `misfit`. Third: the new ones.
+-- names; those at the same places, unless they have a name; and new ones. Second: a sentence that
+-- names the first group under numbers that has another count of objects here: then fields may land
+-- on the wrong objects. (Of a group of loaded objects that says nothing.) Third: the new ones.
 local function match(world, st, named)
-  local objects, taken, new, n = {}, {}, {}, 0
+  local objects, taken, new, n, sentence = {}, {}, {}, 0, nil
   for _, group in ipairs(st.groups) do
-    local owner = ownerOf(world, group)
-    for m = 1, group.count do
+    local owner, count, keys = ownerOf(world, group), group.count, group.keys
+    owner = type(owner) == "table" and not check.isObject(owner) and owner or NONE
+    local here = not group.direct and not (keys and type(keys[count]) ~= "number") and #owner or 0
+    if here > 0 and here ~= count and not sentence and not (named and recall.nameOf(owner[1])) then
+      sentence = MISFIT:format(check.place(group.name), count, here)
+    end
+    for m = 1, count do
       n = n + 1
-      local object = type(owner) == "table" and not check.isObject(owner) and owner[keyOf(group, m)]
+      local object = owner[keyOf(group, m)]
       local isFit = type(object) == "table" and (owner ~= world.objects or check.isObject(object))
       if named and (named[n] or isFit and recall.nameOf(object)) then
         object, isFit = named[n], named[n]
@@ -79,10 +70,7 @@ local function match(world, st, named)
       objects[n], taken[object] = object, true
     end
   end
-  for g = 1, #st.gone do
-    objects[st.count + g] = {}
-  end
-  return objects, misfit(world, st, named), new
+  return objects, sentence, new
 end
 
 -- The game's tables -------------------------------------------------------------------------------
@@ -140,6 +128,7 @@ local function writeFields(b, st, objects)
     end
   end
   for n, saved in ipairs(st.gone) do
+    objects[st.count + n] = objects[st.count + n] or {}
     format.write(saved, objects[st.count + n])
   end
   return odd
@@ -288,8 +277,8 @@ local function restoreEvents(b, st, objects)
   e.count, e.sorted, e.told, e.heardBy = n, n, st.heardBy and 1 or 0, st.heardBy or 3
 end
 
---- Brings a world back to the moment at which `st` was saved. Returns the sentence of `misfit`, or
---- nil, and the objects that it had to make (see match). Errors: a state that cannot be used; then
+--- Brings a world back to the moment at which `st` was saved. Returns the sentence of `match`, or
+--- nil, and the objects that it had to make. Errors: a state that cannot be used; then
 --- nothing has changed.
 function restore.world(world, st)
   local b, layers, sentence, new = world._bodies, nil, nil, {}
