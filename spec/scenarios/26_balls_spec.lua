@@ -90,6 +90,18 @@ describe("radius: a ball", function()
     near(20 - after, math.sqrt((other.x - one.x) ^ 2 + (other.y - one.y) ^ 2))
   end)
 
+  it("is pushed through no wall by a fast heavy box and other balls", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("walls", tile(300, -1000, 40, 2000))
+    local fields = { vx = 20000, mass = 1e5, restitution = 0.8 }
+    world:add("boxes", small.put(100, 84, 36, 36, fields))
+    world:add("balls", ball(291, 91.55, 9, { restitution = 1 }))
+    world:add("balls", ball(280.24, 114.53, 5))
+    local last = world:add("balls", ball(275.3, 98.82, 3, { restitution = 1 }))
+    run(world, 0.1, 60)
+    assert.is_true(last.x < 294.01)
+  end)
+
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
       local world = physics.newWorld({ gravity = 0 })
