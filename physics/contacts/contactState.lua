@@ -83,8 +83,8 @@ local function deepContact(b, p, i, j)
   return side == 0 and (b.buried[i] or b.buried[j]) and ball.side(b, b.to, i, j) or side
 end
 
--- Returns the side on which a solid pair is in contact now, else 0. A pair about which the game must
--- be asked is in contact once it was asked: in the next step, if there was no hit.
+-- Returns the side on which a solid pair is in contact now, else 0. A pair about which the game
+-- must be asked is in contact once it was asked: in the next step, if there was no hit.
 local function solidContact(b, p, i, j)
   local side = sideOf(b, p, i, j)
   if side == INSIDE then
