@@ -167,9 +167,9 @@ local function addFace(b, i, j, x, y, t, isTouched)
   local gap, faceX, faceY, isEdge = face(b, i, j, x, y, t)
   local m, start, to, isBefore = 2 * j, b.time[j], b.to, gap >= -2 * EPSILON
   x, y = x + to[m] - path.at(b, m, start, t), y + to[m + 1] - path.at(b, m + 1, start, t)
-  local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, touch.axisOf(b, i, j))
+  local _, _, itsSide = shapes.sideOf(faceX, faceY, isEdge, touch.axisOf(b, i, j))
   if not isTouched or isBefore and not (isEdge and touch.gradient(b, i, j) ~= 0) then
-    planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
+    planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, itsSide)
   end
   return isBefore
 end
