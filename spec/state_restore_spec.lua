@@ -357,6 +357,6 @@ it("world:restore tells of the first such group, of none with other keys or alon
   named.objects.b = mover(0, 20, 8, 8)
   numbered.objects.a.one = mover(60, 0, 8, 8)
   numbered.objects.b = mover(0, 20, 8, 8)
-  numbered.objects[1] = { mover(80, 0, 8, 8), mover(99, 0, 8, 8) }
+  numbered.objects[1], numbered.objects[2] = { mover(80, 0, 8, 8) }, { mover(99, 0, 8, 8) }
   assert.is_nil(numbered:restore(read(write(named:save()))))
 end)
