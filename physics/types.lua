@@ -82,8 +82,8 @@
 --- others: `hits = { "players" }`. The list is read when it is set; to change it, set another list.
 ---@field hits? (string|number)[]
 --- default none: solid all around. The one side that is solid; `true` is the top. The others let
---- everything through. For static and kinematic objects: a dynamic one would fall through the
---- floor.
+--- everything through. For round objects the side is up to 45° wide. For static and kinematic
+--- objects: a dynamic one would fall through the floor.
 ---@field oneWay? boolean|"top"|"bottom"|"left"|"right"
 --- default none: a box. A right triangle that fills its box, for static and kinematic objects.
 --- `left` and `right` name the side that is high, solid below; `topleft` and `topright` hang from

@@ -7,8 +7,12 @@
 -- the same, and nothing is looked up. A larger set of neighbours changes no result, since each
 -- pair is tested exactly later on. So broad phases and margins may differ, the bits do not.
 --
--- Reads from, to, size, awakeAt; writes fat boxes, the pairs, live and the step columns of the
--- pairs, and `support` where that has ended.
+-- Members of a crowd are no pairs with each other. In worlds with round bodies, fat boxes are
+-- larger by half of REACH on all sides.
+--
+-- Reads the paths, size, awakeAt, and `contact`, `hit`, `touches` of pairs; writes fat boxes,
+-- `placed` (see layout), the pairs, live and the step columns of the pairs, and `support` where
+-- that has ended.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")

@@ -6,9 +6,11 @@
 -- where no pair is at hand, in `carrierAt` of motion/carriers.lua, `isClosed` of queries/query.lua
 -- and `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid quarter of a
 -- round one-way object, is that of `shapes.sideOf`, which names sides everywhere: `lets` gets no
--- normal. Its callers choose the side: `sweep.meet` for impacts, `passes` in solver/slant.lua for
--- planes, `flushContact` in contacts/contactState.lua for contacts that go on, `wallOf` in
--- solver/bounds.lua for walls in which a body would end. (Ground and snap know slopes and boxes.)
+-- normal. Its callers choose the side, and tell the game that side: `sweep.meet` for impacts,
+-- `passes` in solver/slant.lua for planes, `sideOf` in contacts/contactState.lua for contacts that
+-- go on, `wallOf` in solver/bounds.lua for walls in which a body would end; for queries
+-- `query.meet`, `lets` in rays.lua, and move.lua. (Ground and snap know slopes and boxes.) Another
+-- limit than 45° is a function of the pair and the normal in place of `shapes.sideOf` there.
 -- For `filter.areSolid` and `filter.blocks` a one-way object is no obstacle: their callers leave it
 -- out.
 

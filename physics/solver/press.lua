@@ -288,14 +288,15 @@ end
 
 -- The end of the step -----------------------------------------------------------------------------
 
--- Limits how far slot i, if it is dynamic, is pushed: a share of its size, and as far as its speed
--- takes it. (A body between immovable ones would be pushed to and fro.)
+-- Limits how far slot i, if it is dynamic, is pushed: a share of its size, and as far as its free
+-- flight takes it. (A body between immovable ones would be pushed to and fro; and pushes after the
+-- rounds are not swept: one as long as the speed that a body has got led through walls.)
 local function limit(b, i)
   if b.kind[i] ~= DYNAMIC then
     return
   end
-  local k, to, origin, start, free = 2 * i, b.to, b.origin, b.start, b.freeSpeed
-  local fastest = max(path.largest(start, k), path.largest(free, k), path.largest(b.speed, k))
+  local k, to, origin = 2 * i, b.to, b.origin
+  local fastest = max(path.largest(b.start, k), path.largest(b.freeSpeed, k))
   local most = FURTHEST * min(b.size[k], b.size[k + 1]) + fastest * b.dt
   for m = k, k + 1 do
     to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
@@ -377,8 +378,7 @@ end
 -- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
 -- creep, and a push of the shocks leaves it the speed that it had.
 local function rest(b, i)
-  local x, y = path.motion(b, 2 * i), path.motion(b, 2 * i + 1)
-  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and max(x, -x, y, -y) <= EPSILON then
+  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and path.motion(b, i) <= EPSILON then
     path.putBack(b, i)
   end
 end

@@ -90,6 +90,18 @@ describe("radius: a ball", function()
     near(20 - after, math.sqrt((other.x - one.x) ^ 2 + (other.y - one.y) ^ 2))
   end)
 
+  it("is pushed through no wall by a fast heavy box and other balls", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("walls", tile(300, -1000, 40, 2000))
+    local fields = { vx = 20000, mass = 1e5, restitution = 0.8 }
+    world:add("boxes", small.put(100, 84, 36, 36, fields))
+    world:add("balls", ball(291, 91.55, 9, { restitution = 1 }))
+    world:add("balls", ball(280.24, 114.53, 5))
+    local last = world:add("balls", ball(275.3, 98.82, 3, { restitution = 1 }))
+    run(world, 0.1, 60)
+    assert.is_true(last.x < 294.01)
+  end)
+
   it("flies through no corner and no thin wall, at 20 000 px/s", function()
     for n = 0, 40 do
       local world = physics.newWorld({ gravity = 0 })
@@ -405,6 +417,23 @@ small.rows(
   end
 )
 
+small.rows(
+  "radius and restitution: a row of {1} balls keeps the energy of a heavier cue: {2} Hz",
+  small.cross({ 10, 14 }, { 30, 60, 144 }),
+  function(count, rate)
+    local world, energy = physics.newWorld({ gravity = 0 }), 0
+    world:add("balls", ball(-20, 0, 5, { restitution = 1, vx = 1500, mass = 2 }))
+    for n = 1, count do
+      world:add("balls", ball(10 * n, 0, 5, { restitution = 1 }))
+    end
+    run(world, 0.5, rate)
+    for n, one in ipairs(world.objects.balls) do
+      energy = energy + (n == 1 and 2 or 1) * (one.vx * one.vx + one.vy * one.vy)
+    end
+    assert.near(1, energy / (2 * 1500 * 1500), 1e-4)
+  end
+)
+
 describe("radius and slope: a marble", function()
   -- It runs down 1:4 at 412 px/s; another one falls onto it, which must not stop it. Along the ramp
   -- (4, 1) gravity gives both as much.
@@ -423,6 +452,17 @@ describe("radius and slope: a marble", function()
       near(1700 + mass * 350 + pulled, along, 0.01 * along)
       assert.is_true(math.max(math.abs(one.vx), math.abs(other.vx)) > 50)
     end
+  end)
+
+  it("turns on a ramp below another one: both keep their momentum along it", function()
+    local world, up = physics.newWorld({ gravity = 800 }), { mass = 10, vx = -56, vy = -14 }
+    world:add("ramps", tile(0, 200, 800, 200, { slope = "left" }))
+    local x, y = 400, 300 - 10 * math.sqrt(1.0625)
+    local one = world:add("balls", ball(x, y, 10, up))
+    local other = world:add("balls", ball(x - 2.078, y - 19.892, 10, up))
+    run(world, 0.4, 30)
+    local along = 4 * (one.vx + other.vx) + one.vy + other.vy
+    near(-2 * (4 * 56 + 14) + 2 * 0.4 * 800, along, 1)
   end)
 
   small.rows("rolls down a ramp alike that moves by {1} px/s", { 0, -32, 32 }, function(speed)
