@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/broadphase", 610 },
   { "physics/contacts", 383 },
   { "physics/fields", 664 },
-  { "physics/maps", 2167 },
+  { "physics/maps", 2164 },
   { "physics/memory", 718 },
   { "physics/motion", 986 },
   { "physics/narrowphase", 577 },
