@@ -2,21 +2,22 @@
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
 -- one-way objects, `dropThrough`, and the answer of the game (`canCollide`).
 --
--- The side in the field `oneWay` is solid, the others are open. That is decided in `lets`, and,
--- where no pair is at hand, in `carrierAt` of motion/carriers.lua, `isClosed` of queries/query.lua
--- and `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid quarter of a
--- round one-way object, is that of `shapes.sideOf`, which names sides everywhere: `lets` gets no
--- normal. Its callers choose the side, and tell the game that side: `sweep.meet` for impacts,
--- `passes` in solver/slant.lua for planes, `sideOf` in contacts/contactState.lua for contacts that
--- go on, `wallOf` in solver/bounds.lua for walls in which a body would end; for queries
--- `query.meet`, `lets` in rays.lua, and move.lua. (Ground and snap know slopes and boxes.) Another
--- limit than 45° is a function of the pair and the normal in place of `shapes.sideOf` there.
+-- The side in the field `oneWay` is solid, the others are open. That is decided in `filter.isOpen`
+-- and, of lines, in `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid
+-- quarter of a round one-way object, is that of `shapes.sideOf`, which names sides everywhere:
+-- `filter.isOpen` gets no normal. Its callers choose the side, and tell the game that side:
+-- `sweep.meet` for impacts, `passes` in solver/slant.lua for planes, `sideOf` in
+-- contacts/contactState.lua for contacts that go on, `wallOf` in solver/bounds.lua for walls in
+-- which a body would end; for queries `query.meet`, `lets` in rays.lua, and move.lua. (Ground and
+-- snap know slopes and boxes.) Another limit than 45° is a function of the pair and the normal in
+-- place of `shapes.sideOf` there.
 -- For `filter.areSolid` and `filter.blocks` a one-way object is no obstacle: their callers leave it
 -- out.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
+local filter = require(root .. ".broadphase.filter")
 local links = require(root .. ".memory.links")
 local path = require(root .. ".motion.path")
 local touch = require(root .. ".narrowphase.touch")
@@ -24,14 +25,8 @@ local touch = require(root .. ".narrowphase.touch")
 local rules = {}
 
 local DYNAMIC, neighbours = constants.DYNAMIC, links.neighbours
-local OPPOSITE, SIDE, SIDES = constants.OPPOSITE, constants.SIDE, constants.SIDES
+local OPPOSITE, SIDES = constants.OPPOSITE, constants.SIDES
 local floor = math.floor
-
--- Returns whether slot i is a one-way object that is open on `side`.
-local function isOpen(b, i, side)
-  local solid = b.oneWay[i]
-  return solid and SIDE[solid] ~= side
-end
 
 -- Returns whether slot i falls through a one-way object with the side `solid`.
 -- Until it is clear of that object, no other one-way object with the same side holds it, as the
@@ -57,7 +52,7 @@ function rules.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
   end
-  return isDeep or isOpen(b, i, side) or isOpen(b, j, OPPOSITE[side]) or isDropping(b, i, j)
+  return isDeep or filter.isOpen(b, i, j, side) or isDropping(b, i, j)
 end
 
 -- Asks the game. An error in its function passes through, and the step is given up with nothing

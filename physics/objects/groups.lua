@@ -50,31 +50,26 @@ end
 
 -- The game's tables -------------------------------------------------------------------------------
 
--- Returns the keys of a table in order, without those in `listed`.
-local function sortedKeys(source, path, listed)
-  local keys = {}
-  for key in next, source, nil do
+-- Returns the keys of a table in order.
+local function sortedKeys(source, path)
+  local keys = keyOrder.sorted(source)
+  for _, key in ipairs(keys) do
     if not check.isName(key) then
       check.fail("%s has a key that is no finite number or string, got %s", path, check.show(key))
-    elseif not (listed and listed[key]) then
-      keys[#keys + 1] = key
     end
   end
-  table.sort(keys, keyOrder.comesBefore)
   return keys
 end
 
 -- Returns the names of all groups in order.
 local function sortedNames(self, objects)
   local listed, names = {}, {}
-  for _, name in ipairs(self.order) do
-    if objects[name] ~= nil and not listed[name] then
-      listed[name] = true
-      names[#names + 1] = name
+  for _, list in ipairs({ self.order, sortedKeys(objects, "objects") }) do
+    for _, name in ipairs(list) do
+      if objects[name] ~= nil and not listed[name] then
+        names[#names + 1], listed[name] = name, true
+      end
     end
-  end
-  for _, name in ipairs(sortedKeys(objects, "objects", listed)) do
-    names[#names + 1] = name
   end
   return names
 end
@@ -257,6 +252,6 @@ function groups.compareAll(b, records)
   return isAny
 end
 
-require(root .. ".memory.compiler").leave(sortedKeys, hasOthers, compare)
+require(root .. ".memory.compiler").leave(hasOthers, compare)
 
 return groups

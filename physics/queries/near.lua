@@ -60,21 +60,11 @@ local MARGIN = 1 -- of a fat box, px
 local MISSED = " was moved after this frame's first query. With more than "
   .. FEW
   .. " moving objects, call world:refresh(object) so that later queries see it"
-local COLUMNS = {
-  "object",
-  "rank",
-  "groupName",
-  "kind",
-  "shape",
-  "position", -- two values, as in `memory/layout`
-  "size",
-  "active", -- these: see `near.readFilter`
-  "sensor",
-  "oneWay",
-  "mask",
-  "hitsOnly",
-  "entry", -- scratch of queries
-}
+-- Of a catch. `position` and `size` have two values, as in `memory/layout`. `near.readFilter` fills
+-- those from `active` to `hitsOnly`; `entry` is scratch of queries.
+local COLUMNS = [[
+  object rank groupName kind shape position size active sensor oneWay mask hitsOnly entry
+]]
 
 -- Changes by the game -----------------------------------------------------------------------------
 
@@ -172,7 +162,7 @@ function near.begin(world, wanted)
   local c = remove(b.catches)
   if not c then
     c = { found = {}, slots = {}, bodies = b }
-    for _, name in ipairs(COLUMNS) do
+    for name in COLUMNS:gmatch("%a+") do
       c[name] = {}
     end
     c.size[0], c.size[1] = 0, 0 -- place 0: a point

@@ -37,8 +37,9 @@
 -- `shapes.isRound[b.shape[i]]` of space/shapes.lua is true) is a row of fields/fields.lua with
 -- `hint = "hasFriction"`, and a term in all three results of `friction.coefficient`, which all
 -- four places ask: symmetric in i and j. (Contacts are not only with floors: a ball at a wall, a
--- box on a ball.) Slanted contacts (a ball on a slope, on a corner, or beside the middle of another
--- ball) have none: see ARCHITECTURE, friction.
+-- box on a ball. A field for floors only is a factor in `addContact` here and in `rub` of
+-- impact.lua, which know the axis.) Slanted contacts (a ball on a slope, on a corner, or beside
+-- the middle of another ball) have none: see ARCHITECTURE, friction.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")

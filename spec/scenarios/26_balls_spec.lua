@@ -417,6 +417,23 @@ small.rows(
   end
 )
 
+small.rows(
+  "radius and restitution: a row of {1} balls keeps the energy of a heavier cue: {2} Hz",
+  small.cross({ 10, 14 }, { 30, 60, 144 }),
+  function(count, rate)
+    local world, energy = physics.newWorld({ gravity = 0 }), 0
+    world:add("balls", ball(-20, 0, 5, { restitution = 1, vx = 1500, mass = 2 }))
+    for n = 1, count do
+      world:add("balls", ball(10 * n, 0, 5, { restitution = 1 }))
+    end
+    run(world, 0.5, rate)
+    for n, one in ipairs(world.objects.balls) do
+      energy = energy + (n == 1 and 2 or 1) * (one.vx * one.vx + one.vy * one.vy)
+    end
+    assert.near(1, energy / (2 * 1500 * 1500), 1e-4)
+  end
+)
+
 describe("radius and slope: a marble", function()
   -- It runs down 1:4 at 412 px/s; another one falls onto it, which must not stop it. Along the ramp
   -- (4, 1) gravity gives both as much.
