@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/motion", 970 },
   { "physics/narrowphase", 556 },
   { "physics/objects", 1275 },
-  { "physics/overlaps", 813 },
+  { "physics/overlaps", 835 },
   { "physics/queries", 929 },
   { "physics/sleep", 81 },
   { "physics/solver", 3199 },
