@@ -166,6 +166,27 @@ describe("world:addTiles", function()
     end
   end)
 
+  it("moves if all of it is kinematic, and is dug and built on where it is", function()
+    local tiles, world = add({ "####", ".##." }, { fields = { kinematic = true, merge = true } })
+    for _, part in ipairs(world.objects.tiles) do
+      part.vx, part.vy = 60, -30
+    end
+    run(world, 60)
+    assert.equal("60 -30 40 10; 70 -20 20 10", boxes(world))
+    assert.same({ 2, 1 }, { tiles:cellAt(75, -25) })
+    assert.is_nil(tiles:cellAt(5, 5))
+    tiles:setTile(2, 1, 0)
+    tiles:setTile(4, 2, "#")
+    run(world, 60)
+    assert.equal("140 -60 20 10; 120 -60 10 10; 130 -50 30 10", boxes(world))
+    world:remove(world.objects.tiles[1])
+    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
+    tiles:unload()
+    assert.same({ 1, 1 }, { tiles:cellAt(125, -55) })
+    tiles:load()
+    assert.equal("120 -60 10 10; 130 -50 30 10", boxes(world))
+  end)
+
   it("unload() keeps the places of crates, which move by themselves, and shifts them", function()
     local world = physics.newWorld()
     local solid = { c = { static = false } }

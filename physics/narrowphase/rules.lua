@@ -2,6 +2,9 @@
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
 -- one-way objects, `dropThrough`, and the answer of the game (`canCollide`).
 --
+-- Answers are remembered with the pair: `passing` for this step (pairFinder clears it), `dropping`
+-- until the two are apart, `asked`: the solve in which the game has said yes, or minus that, no.
+--
 -- The side in the field `oneWay` is solid, the others are open. That is decided in `filter.isOpen`
 -- and, of lines, in `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid
 -- quarter of a round one-way object, is that of `shapes.sideOf`, which names sides everywhere:
@@ -96,7 +99,8 @@ function rules.permits(b, low, high, axis)
     and answer(b, b.worldCanCollide, one, other, sideName)
 end
 
---- Returns whether pair p may collide, before the first solve of a step, which does not ask again.
+--- Returns whether pair p may collide, before the first solve of a step (the stamp of which is one
+--- more), which does not ask again.
 function rules.foresees(b, p, low, high, axis)
   local stamp = b.solveStamp + 1
   if b.asked[p] ~= stamp and b.asked[p] ~= -stamp then
@@ -105,9 +109,9 @@ function rules.foresees(b, p, low, high, axis)
   return b.asked[p] == stamp
 end
 
---- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the
---- indices of the low body and the high one. `isDeep`: they overlap already. The game is asked once
---- a solve about each pair: a step that begins anew asks again.
+--- Returns whether the bodies of pair p pass through each other on an axis, and notes it. `kl` and
+--- `kh` are the indices of the low body and the high one. `isDeep`: they overlap already. The game
+--- is asked once a solve about each pair: a step that begins anew asks again.
 function rules.passes(b, p, kl, kh, axis, isDeep)
   if b.passing[p] or b.dropping[p] then
     return true
@@ -128,8 +132,8 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   return true
 end
 
--- Gives slot i, which falls through slope j, the speed at which the edge sinks under it. Else it
--- would be left above the edge where it runs down.
+-- Gives slot i, which falls through slope j, the speed at which the edge sinks under it, in the
+-- game's table. Else it would be left above the edge where it runs down.
 local function keepUp(b, i, j)
   local axis, object = path.axisOf(b, i), b.object[i]
   local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
@@ -139,7 +143,8 @@ local function keepUp(b, i, j)
   end
 end
 
---- Makes slot i fall through the one-way objects that it stands on. Returns whether there were any.
+--- Makes slot i fall through the one-way objects that it stands on, by the contacts of the last
+--- step. Returns whether there were any.
 --- An object that is not dynamic stands on nothing, nor does an object without gravity.
 function rules.drop(b, i)
   if b.kind[i] ~= DYNAMIC or (b.down[2 * i] == 0 and b.down[2 * i + 1] == 0) then
