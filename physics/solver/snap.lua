@@ -20,10 +20,10 @@
 -- is in place. (A `height` here is that of the place along gravity: the lowest has the least. What
 -- `lower` compares is as in ground.lua: the further up, the less.)
 --
--- Only boxes with a support are lowered (so no sensors), not onto round ground, and only if they do
--- not move up in the step. A body is put there first, so that its new neighbours are known, and put
--- back if one forbids it. A lowered body takes the speed of its ground; those that stand on it may go
--- down by as much as it did (`lowered`).
+-- Only boxes with a support are lowered (so no sensors), not onto round ground, and only if they
+-- do not move up in the step. A body is put there first, so that its new neighbours are known, and
+-- put back if one forbids it. A lowered body takes the speed of its ground; those that stand on it
+-- may go down by as much as it did (`lowered`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
