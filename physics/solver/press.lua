@@ -375,8 +375,8 @@ function press.run(b, ofAll)
   return true
 end
 
---- Presses the bodies apart that the rounds have left in each other, finds which planes touch,
---- and finds the heaps.
+--- Presses the bodies apart that the rounds have left in each other, and finds which planes touch,
+--- and the heaps.
 function press.finish(b)
   local s = b.slants
   repeat -- (planes of new pairs may push others into each other, at most as many as there are)
