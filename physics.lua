@@ -79,15 +79,11 @@ end
 -- Without `sideBySide` it takes the setting of the default world.
 function physics.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   checkDot(a, "checkCollision")
-  if type(a) ~= "number" then
-    if c == nil then
-      c = default().sideBySide
-    end
-    return pure.checkCollision(a, b, c)
-  elseif sideBySide == nil then
-    sideBySide = default().sideBySide
+  local isFlush = default().sideBySide
+  if type(a) == "number" then
+    return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide == nil and isFlush or sideBySide)
   end
-  return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
+  return pure.checkCollision(a, b, c == nil and isFlush or c)
 end
 
 -- Another function of the tutorial.

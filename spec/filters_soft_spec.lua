@@ -39,10 +39,14 @@ describe("soft: objects", function()
     assert.near(105, (a.x + b.x) / 2, 1e-6)
   end)
 
-  it("drift in parts of a step if they are fast: all at once it would be to 40 px", function()
-    local world, a, b = pair(nil, nil, { enemies = { enemies = 3600 } })
+  -- All at once it would be to 40 px, and 70 px.
+  small.rows("drift in parts of a step if they are fast: at {1} px/s to {2} px", {
+    { 3600, 25 },
+    { 7200, 30 },
+  }, function(speed, apart)
+    local world, a, b = pair(nil, nil, { enemies = { enemies = speed } })
     run(world, 1)
-    assert.near(25, b.x - a.x, 1e-9)
+    assert.near(apart, b.x - a.x, 1e-9)
   end)
 
   -- The last one of a row is pushed by three others at once.

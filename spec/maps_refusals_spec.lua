@@ -276,7 +276,7 @@ describe("world:addTiles refuses", function()
     { { "tiles", { 1 }, 1 }, "size must be a number > 0, got nil" },
     { { "tiles", { 1 }, 1, { 5 } }, "size[2] must be a number > 0, got nil" },
     {
-      { "tiles", { 1, 1 }, 1, { 1e60, 1e99 }, { y = 1e100, later = true, merge = false } },
+      { "tiles", { 1, 1 }, 1, { 1e60, 1e99 }, { y = 1e100, merge = false } },
       "the lower edge must be a number in -1e+100..1e+100, got 1.2e+100",
     },
     { { "player", { 1 }, 1, 5 }, "objects.player is not a group, got an object" },

@@ -210,6 +210,7 @@ describe("loadTiled: the name of a layer", function()
     -- only those that say so if any says so
     { { "1.6", "155" }, { { id = 0, properties = { solid = true } } }, nil, 2, "" },
     { { "1.6", "155" }, shaped, nil, 2, "" },
+    { { "...", "..." }, nil, nil, 0, "" },
     -- a floor seen from above
     { { "556", "555" }, nil, nil, 0, "" },
     { { "556", "555" }, nil, { kinds = { "static" } }, 6, "collision: option kinds" },
@@ -275,6 +276,11 @@ describe("loadTiled: a map without a wall", function()
   it("and without tiles says so of its objects", function()
     local text = TEXT:format('kinds = { ["NAME"] = "static" }', '"things"')
     assert.same({ text, "" }, { reasonsOf((load(things(newBox())))), reasonsOf((load(things()))) })
+    text = TEXT:format('kinds = { ["NAME"] = "static" }', '"main"')
+    for picture, expected in pairs({ ["1.."] = text, ["..."] = "" }) do
+      local level = load(newMap({ tiled.tiles(1, "main", { picture }) }))
+      assert.equal(expected, reasonsOf(level))
+    end
   end)
 
   it("of LDtk says so, too, with its values or tiles", function()

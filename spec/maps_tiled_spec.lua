@@ -181,6 +181,8 @@ are lines, turned | things | polyline 100 200 0 0 0,0 30,0 30,40 rotation=90
 are lines, but no walls, in a solid layer | things solid:true | polyline 100 200 0 0 0,0 32,0 32,48
   line 100 200, 100 200, 132 200, 132 248
   ! things: polyline: a line has no width, draw rectangles or polygons
+are only lines if they say so | things solid:true | polyline 0 0 0 0 0,0 32,0 solid:false
+  line 0 0, 0 0, 32 0
 are turned | things | 9 9 30 10 rotation=89.99999; 9 9 30 10 rotation=180; 9 9 30 10 rotation=-90
   things -1 9 10 30 sensor static; things -21 -1 30 10 sensor static
   things 9 -21 10 30 sensor static

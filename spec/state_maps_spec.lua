@@ -164,14 +164,18 @@ end)
 describe("world:restore, dug tiles", function()
   local SIZE, N = 16, 30
 
-  local function newWorld(later)
+  local function newWorld(isAway)
     local generator, cells = newRandom(5), {}
     for i = 1, N * N do
       cells[i] = generator:pick({ 1, 1, 1, 2, 0 })
     end
     local world = physics.newWorld({ gravity = 800 })
     local solid = { true, { friction = 0 }, { restitution = 1 } }
-    return world, world:addTiles("earth", cells, N, SIZE, { solid = solid, later = later })
+    local tiles = world:addTiles("earth", cells, N, SIZE, { solid = solid })
+    if isAway then
+      tiles:unload()
+    end
+    return world, tiles
   end
 
   -- Digs and builds at random.

@@ -340,3 +340,23 @@ it("world:restore tells of a group under numbers that has another count here", f
   assert.is_nil(client:restore(host:save()))
   assert.equal(host:hash(), client:hash())
 end)
+
+it("world:restore tells of the first such group, of none with other keys or alone", function()
+  local function newWorld(count)
+    local world = physics.newWorld({ gravity = 0 })
+    for n = 1, count do
+      world:add("a", mover(20 * n, 0, 8, 8))
+      world:add("b", mover(20 * n, 20, 8, 8))
+    end
+    return world
+  end
+  local sentence = newWorld(3):restore(read(write(newWorld(2):save())))
+  assert.matches("^objects.a has 2 objects in the state and 3 here", sentence)
+  local named, numbered = physics.newWorld({ gravity = 0 }), newWorld(2)
+  named.objects.a = { one = mover(0, 0, 8, 8) }
+  named.objects.b = mover(0, 20, 8, 8)
+  numbered.objects.a.one = mover(60, 0, 8, 8)
+  numbered.objects.b = mover(0, 20, 8, 8)
+  numbered.objects[1], numbered.objects[2] = { mover(80, 0, 8, 8) }, { mover(99, 0, 8, 8) }
+  assert.is_nil(numbered:restore(read(write(named:save()))))
+end)

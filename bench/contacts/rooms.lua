@@ -106,7 +106,7 @@ local function play(scene)
     return lift and overlap.depth(hero, lift) > -NEAR
   end
   scene.world.onCrush = function()
-    scene:measure("crushed without a lift", not isNearLift())
+    scene:measure("crushed without a lift", not isHeld and not isNearLift())
   end
   scene:play(8, function()
     steer()

@@ -8,6 +8,7 @@ local forms = require(root .. ".fields.forms")
 local filter = {}
 
 local DYNAMIC, STATIC, max = constants.DYNAMIC, constants.STATIC, math.max
+local OPPOSITE, SIDE = constants.OPPOSITE, constants.SIDE
 
 --- Returns the record that the library keeps of a list of `hits`: `names`, a copy, and `has`, by
 --- name. That is `known`, if it is the record of an equal list: objects in a row share it.
@@ -45,6 +46,18 @@ function filter.isSensed(b, i, j)
 end
 
 local isSensed = filter.isSensed
+
+-- Returns whether slot i is a one-way object that is open on `side`.
+local function isOpenOn(b, i, side)
+  local solid = b.oneWay[i]
+  return solid and SIDE[solid] ~= side
+end
+
+--- Returns whether slots i and j, which meet on `side` of i, may pass through each other because
+--- one of them is a one-way object.
+function filter.isOpen(b, i, j, side)
+  return isOpenOn(b, i, side) or isOpenOn(b, j, OPPOSITE[side])
+end
 
 --- Returns whether two objects are soft to each other: then they drift apart instead of colliding
 --- (see drift). Static objects and sensors are soft to nothing.

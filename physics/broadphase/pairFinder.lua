@@ -114,20 +114,6 @@ local function wakeLinked(b, count)
   end
 end
 
--- Links the bodies in strays[1..count] with all bodies that their fat boxes meet and that they can
--- meet at all. They are no strays any more.
-local function linkNear(b, strays, count)
-  local placed = b.placed
-  local n = listNew(b, b.broadphase:overlaps(strays, count, b.found))
-  for m = 1, count do
-    placed[strays[m]] = 2
-  end
-  if n > 0 then
-    links.linkAll(b, n)
-    wakeLinked(b, n)
-  end
-end
-
 -- Computes the fat box on the axis of k, with a margin. It includes the place where the step began,
 -- since the path may end there, too.
 local function fatten(b, k, farthest, margin, steps)
@@ -171,12 +157,22 @@ local function askMovers(b, strays, count)
   return n
 end
 
--- Looks up the neighbours of the bodies in `strays[1..count]`, with a margin around their paths.
+-- Links the bodies in `strays[1..count]` with all bodies near their paths, with a margin, that they
+-- can meet at all. They are no strays any more.
 local function lookUp(b, strays, count, margin)
+  local placed = b.placed
   -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, margin)
   links.unlinkAll(b, b.pairList, listParted(b, strays, count))
-  linkNear(b, strays, askMovers(b, strays, count))
+  count = askMovers(b, strays, count)
+  local n = listNew(b, b.broadphase:overlaps(strays, count, b.found))
+  for m = 1, count do
+    placed[strays[m]] = 2
+  end
+  if n > 0 then
+    links.linkAll(b, n)
+    wakeLinked(b, n)
+  end
 end
 
 --- Looks up the neighbours of the bodies in `list[1..count]` with paths that leave their fat boxes.

@@ -14,7 +14,6 @@ local constants = require(root .. ".memory.constants")
 local crowd = require(root .. ".overlaps.crowd")
 local events = require(root .. ".contacts.events")
 local rules = require(root .. ".narrowphase.rules")
-local shapes = require(root .. ".space.shapes")
 local touch = require(root .. ".narrowphase.touch")
 
 local contactState = {}
@@ -36,14 +35,6 @@ local function isPressed(b, i, j, side)
     or b.kind[j] == DYNAMIC and pressedAt[4 * j + OPPOSITE[side]] == stamp
 end
 
--- Returns the side of slot i on which slot j is at the places in a column. If the two overlap, that
--- is the side on which i leaves j by the shortest way.
-local function normalSide(b, places, i, j)
-  local _, nx, ny = ball.gapIn(b, places, i, j)
-  local axis, isLow = shapes.sideOf(nx, ny, false)
-  return 2 * axis + (isLow and 2 or 1)
-end
-
 -- Remembers on which axis two bodies that are left overlapping came into each other: they may only
 -- part there.
 local function wedge(b, p, i, j)
@@ -54,7 +45,7 @@ local function wedge(b, p, i, j)
     side = touch.sideBefore(b, box, ramp, position, b.size, position)
     side = box == i and side or OPPOSITE[side]
   elseif b.hasRound and not areDynamic and ball.isRolling(b, position, i, j) then
-    side = normalSide(b, position, i, j)
+    side = ball.side(b, position, i, j)
   else
     for axis = 1, 0, -1 do -- (x counts first)
       local k, m = 2 * i + axis, 2 * j + axis
@@ -89,13 +80,17 @@ local function deepContact(b, p, i, j)
   end
   local side = isWedged and b.wedged[p] or b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
   -- A buried body touches the object that it is in.
-  return side == 0 and (b.buried[i] or b.buried[j]) and normalSide(b, b.to, i, j) or side
+  return side == 0 and (b.buried[i] or b.buried[j]) and ball.side(b, b.to, i, j) or side
 end
 
--- Returns the side on which a solid pair that does not overlap is in contact now, else 0. A pair
--- about which the game must be asked is in contact once it was asked: in the next step, if there
--- was no hit.
-local function flushContact(b, p, i, j, side)
+-- Returns the side on which a solid pair is in contact now, else 0. A pair about which the game
+-- must be asked is in contact once it was asked: in the next step, if there was no hit.
+local function solidContact(b, p, i, j)
+  local side = sideOf(b, p, i, j)
+  if side == INSIDE then
+    return deepContact(b, p, i, j)
+  end
+  b.wedged[p], b.dropping[p] = 0, b.dropping[p] and side ~= 0
   local isOpen = b.hasRules and b.asked[p] ~= b.solveStamp and rules.isAsked(b, i, j)
   local passes = side == 0 or b.passing[p] or b.dropping[p]
   if isOpen or passes or rules.lets(b, i, j, side, false) then
@@ -105,23 +100,13 @@ local function flushContact(b, p, i, j, side)
   return (isHeld or isPressed(b, i, j, side)) and side or 0
 end
 
--- Returns the side on which a solid pair is in contact now, else 0.
-local function solidContact(b, p, i, j)
-  local side = sideOf(b, p, i, j)
-  if side == INSIDE then
-    return deepContact(b, p, i, j)
-  end
-  b.wedged[p], b.dropping[p] = 0, b.dropping[p] and side ~= 0
-  return flushContact(b, p, i, j, side)
-end
-
 -- Returns the side on which a sensor was entered, while a body is in it, else 0.
 local function sensorContact(b, p, i, j)
   if sideOf(b, p, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
   local side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
-  return side ~= 0 and side or normalSide(b, b.to, i, j)
+  return side ~= 0 and side or (ball.side(b, b.to, i, j))
 end
 
 -- Returns whether slot i has stayed in its place, whatever met it.

@@ -8,7 +8,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
-local boxes = require(root .. ".space.boxes")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
 local fields = require(root .. ".fields.fields")
@@ -20,7 +19,7 @@ local touch = require(root .. ".narrowphase.touch")
 
 local events = {}
 
-local EPSILON, SIDES, OPPOSITE = constants.EPSILON, constants.SIDES, constants.OPPOSITE
+local SIDES, OPPOSITE = constants.SIDES, constants.OPPOSITE
 local AT_LEFT, AT_TOP = constants.SIDE.left, constants.SIDE.top
 local max = math.max
 local IN = 0.02 -- see isWedged
@@ -87,24 +86,21 @@ local function note(b, kind, i, j, third, side, speed)
   e.x1[n], e.y1[n], e.x2[n], e.y2[n], e.nx[n], e.ny[n] = 0, 0, 0, 0, 0, 0
 end
 
--- Adds its place and normal to the last event, of pair p on `side` of its first object: where the
--- two hit (`isHit`), or where they touch at the end of the step. (If two boxes overlap, the first
--- in the order of the world counts.)
-local function locate(b, p, side, isHit)
-  local e, n, i, j = b.events, b.events.count, b.pairA[p], b.pairB[p]
-  local isSwapped = b.rank[j] < b.rank[i]
+-- Adds its place and normal to the last event, of pair p: where the two hit (`isHit`), or where
+-- they touch at the end of the step. (If two boxes overlap, the first in the order of the world
+-- counts.)
+local function locate(b, p, isHit)
+  local e, n, i, j = b.events, b.events.count, links.slotsOf(b, p)
   local at, low, high, nx, ny
   if isHit then
-    local sign = isSwapped and -1 or 1
+    local sign = i == b.pairA[p] and 1 or -1
     at, low, high = b.hitAt[p], b.hitEnd[2 * p], b.hitEnd[2 * p + 1]
     nx, ny = sign * b.hitNormal[2 * p], sign * b.hitNormal[2 * p + 1]
-  elseif isSwapped then
-    at, low, high, nx, ny = touch.line(b, j, i, OPPOSITE[side], 1)
   else
-    at, low, high, nx, ny = touch.line(b, i, j, side, 1)
+    at, low, high, nx, ny = touch.line(b, i, j, e.side[n], 1)
   end
   e.nx[n], e.ny[n] = nx + 0.0, ny + 0.0
-  if constants.AXIS[side] == 0 then
+  if constants.AXIS[e.side[n]] == 0 then
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = at, low, at, high
   else
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = low, at, high, at
@@ -143,7 +139,7 @@ local function addPlaced(b, kind, p, side, speed, leant)
   add(b, kind, b.pairA[p], b.pairB[p], side, speed)
   if e.count > count then
     e.leant[e.count] = leant
-    locate(b, p, side, kind == "onBegin" and b.hit[p] ~= 0)
+    locate(b, p, kind == "onBegin" and b.hit[p] ~= 0)
   end
 end
 
@@ -200,12 +196,6 @@ function events.tellCrush(b)
       wasCrushed[k] = low > 0 or wasCrushed[k] and isWedged(b, i)
     end
   end
-end
-
---- Returns whether two slots in contact do not touch any more where they are now. (A contact with
---- an object that has become a sensor goes on while the other object passes through it.)
-function events.isApart(b, i, j)
-  return boxes.gap(b, b.position, i, j) > EPSILON
 end
 
 --- Ends the contacts of a slot with all others, or with the slots for which `isOver(b, i, j)`,

@@ -59,21 +59,15 @@ local function isLiving(layer)
   end
 end
 
---- Returns the part of a name that says where a map is, given its place in px.
-function recall.at(world, x, y)
-  return (" %.17g %.17g"):format(x - world._shiftedX, y - world._shiftedY)
-end
-
 --- Notes the layers that a map has made.
 ---@param layers table[] physics.Tiles
----@param isLater boolean? are their objects not a part of the world yet
-function recall.enter(world, layers, isLater)
+function recall.enter(world, layers)
   local here = recall.mapsOf(world).here
   for _, layer in ipairs(layers) do
     while isLiving(here[layer._name]) do
       layer._name = layer._name .. "+"
     end
-    recall.setHere(layer, not isLater)
+    recall.setHere(layer, true)
   end
 end
 

@@ -17,27 +17,25 @@ local OBJECT, BODY, MOVER = layout.OBJECT, layout.BODY, layout.MOVER
 -- In front of many static objects that come at once, there is a free slot for a mover in so many.
 local SHARE = 64
 
---- Makes room in some columns for the index `last`, without values.
-function allot.reserve(b, rows, last)
+--- Makes room in some columns for the index `last`. If `fills`, new places have the first values.
+--- (They are filled column by column. Slot by slot, 20 000 tiles take twice as long.)
+function allot.reserve(b, rows, last, fills)
   local old = b.reserved[rows] ---@type number
   if last < old then
     return
   end
   local count = arrays.places(old, last + 1)
   for n = 1, #rows.names do
-    local name, width = rows.names[n], rows.widths[n]
-    b[name] = arrays.grow(rows.kinds[n], b[name], width, old, count)
+    local name, width, kind, value = rows.names[n], rows.widths[n], rows.kinds[n], rows.values[n]
+    local column = arrays.grow(kind, b[name], width, old, count)
+    local shift = width == 4 and 1 or 0 -- sides are 1 to 4
+    local mustFill = fills and not arrays.begins(kind, value)
+    for at = width * old + shift, mustFill and width * count + shift - 1 or -1 do
+      column[at] = value
+    end
+    b[name] = column
   end
   b.reserved[rows] = count
-end
-
--- Gives the slots `first` to `last` the initial values of the n-th one of some columns.
-local function fill(b, rows, n, first, last)
-  local column, value, width = b[rows.names[n]], rows.values[n], rows.widths[n]
-  local shift = width == 4 and 1 or 0 -- sides are 1 to 4
-  for at = width * first + shift, width * (last + 1) + shift - 1 do
-    column[at] = value
-  end
 end
 
 --- Gives the slots in places `first` to `last` of a list the initial values of some columns.
@@ -53,19 +51,7 @@ function allot.blank(b, rows, slots, first, last)
   end
 end
 
-local blank = allot.blank
-
--- Makes room in some columns for the slot `last`. Slots that are not in use have the first values.
--- (They are filled column by column. Slot by slot, 20 000 tiles take twice as long.)
-local function prepare(b, rows, last)
-  local old = b.reserved[rows]
-  allot.reserve(b, rows, last)
-  for n = 1, old < b.reserved[rows] and #rows.names or 0 do
-    if not arrays.begins(rows.kinds[n], rows.values[n]) then
-      fill(b, rows, n, old, b.reserved[rows] - 1)
-    end
-  end
-end
+local blank, reserve = allot.blank, allot.reserve
 
 -- Makes columns or lists. Errors: something else has such a name.
 local function add(b, names)
@@ -91,7 +77,7 @@ local function make(b)
   for _, rows in ipairs({ OBJECT, BODY, MOVER, layout.PAIR, layout.LINKS }) do
     add(b, rows.names)
     b.reserved[rows] = 0
-    prepare(b, rows, 0)
+    reserve(b, rows, 0, true)
   end
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
   b.size[0], b.size[1] = -1, -1
@@ -123,9 +109,9 @@ function allot.claim(b, isStatic, coming)
     i = b.slots + 1
     b.slots = i
     if i >= b.reserved[OBJECT] then
-      prepare(b, OBJECT, i + coming - 1)
-      prepare(b, BODY, i + coming - 1)
-      prepare(b, MOVER, isStatic and 0 or i + coming - 1)
+      reserve(b, OBJECT, i + coming - 1, true)
+      reserve(b, BODY, i + coming - 1, true)
+      reserve(b, MOVER, isStatic and 0 or i + coming - 1, true)
     end
   end
   b.count = b.count + 1
@@ -142,7 +128,7 @@ end
 
 --- Makes room for slot i in the columns of movers.
 function allot.addMover(b, i)
-  prepare(b, MOVER, i)
+  reserve(b, MOVER, i, true)
 end
 
 --- Gives slots back. Their pairs must have been unlinked.

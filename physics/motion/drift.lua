@@ -15,24 +15,16 @@
 -- The places x of a crowd follow x' = v(x), whose stiffness is the rate soft / size (the fastest
 -- `soft`, the mean of widths and heights) times the number of pairs, near ones included, for each
 -- body that is the first of one in the list. One step of v dt overshoots if that rate times dt is
--- above 2: a dense crowd would explode. So a step is made in s parts, the stages of a
--- Runge-Kutta-Legendre scheme, with z = rate * dt:
---
---      Y_n = Y_(n-1) + (n - 1) / n (Y_(n-1) - Y_(n-2)) + (4 n - 2) / (n (s² + s)) v(Y_(n-1)) dt
---
--- It is stable up to z = s² + s, so s grows only with the root of the density:
--- s = ceil(sqrt(z + 1/4) - 1/2), at most MOST_PARTS. (In `advance`, `keep` and `part` are the two
--- factors.) Beyond that, only the limit of the drift bounds it. A drift against the motion of its
--- body slows that further, so that a crowd comes to stand (see `listDrifted`).
+-- above 2: a dense crowd would explode. So a step is made in as many equal parts, at most
+-- MOST_PARTS (the method of Euler). Beyond that, only the limit of the drift bounds it. A drift
+-- against the motion of its body slows that further, so that a crowd comes to stand (see
+-- `listDrifted`).
 --
 -- The pairs that overlap, or are less than `near` apart, are found once. The bodies are sorted by
 -- the rows of their upper edges, which are as high as the highest body and `near`, and in a row by
 -- their left edges. So each is compared with those beside it in its row and in the next one. Sums
 -- do not depend on that order: all velocities are rounded to multiples of 2^-20 px/s, which add up
 -- exactly.
---
--- Source: C. D. Meyer, D. S. Balsara, T. D. Aslam, A second-order accurate Super TimeStepping
--- formulation for anisotropic thermal conduction, 2012 (RKL1, the scheme of first order).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local constants = require(root .. ".memory.constants")
@@ -82,7 +74,6 @@ local function newWork()
     shareOne = {},
     shareOther = {},
     now = { [0] = {}, {} }, -- by axis: velocity apart in a part of the step
-    last = { [0] = {}, {} }, -- by axis: velocity that the last part has added to the drift, px/s
     drifted = {}, -- slots with a drift: b.driftedCount
     speed = {}, -- by index: velocity at the end of the step without it, and that of the carrier
     carried = {},
@@ -116,7 +107,6 @@ local function list(b, work)
   end
   for at = 1, n ~= work.count and n or 0 do
     work.sorted[at], work.now[0][at], work.now[1][at] = at, 0.0, 0.0
-    work.last[0][at], work.last[1][at] = 0.0, 0.0
   end
   work.widest, work.highest = wide, high
   work.count, work.fastest, work.meanSize = n, fastest, max(sum, constants.TINY) / max(2 * n, 1)
@@ -220,21 +210,17 @@ local function push(b, work, count)
   end
 end
 
--- Makes a part of a step of dt s: adds to the drift the share `keep` of the velocity that the last
--- part added, and the share `part` of the velocity now. `own` is the same sum for a constant
--- velocity of 1, by which the bodies' own velocities count.
-local function advance(b, work, keep, part, own, dt)
+-- Makes a part of a step, `share` of it, of dt s: adds that share of the velocity now to the drift.
+local function advance(b, work, share, dt)
   local slot, most, softSpeed, velocity = work.slot, work.most, b.softSpeed, b.velocity
   local x, y, nowX, nowY = work.at[0], work.at[1], work.now[0], work.now[1]
-  local lastX, lastY = work.last[0], work.last[1]
   for n = 1, work.count do
-    local k, limit, dx, dy = 2 * slot[n], most[n], nowX[n], nowY[n]
-    local share = part * min(limit / max(sqrt(dx * dx + dy * dy), constants.TINY), 1.0)
-    dx, dy = lastX[n] * keep + dx * share, lastY[n] * keep + dy * share
-    lastX[n], lastY[n], nowX[n], nowY[n] = dx, dy, 0.0, 0.0
+    local k, dx, dy = 2 * slot[n], nowX[n], nowY[n]
+    local limited = share * min(most[n] / max(sqrt(dx * dx + dy * dy), constants.TINY), 1.0)
+    dx, dy, nowX[n], nowY[n] = dx * limited, dy * limited, 0.0, 0.0
     softSpeed[k], softSpeed[k + 1] = softSpeed[k] + dx, softSpeed[k + 1] + dy
-    x[n] = x[n] + (velocity[k] * own + dx) * dt
-    y[n] = y[n] + (velocity[k + 1] * own + dy) * dt
+    x[n] = x[n] + (velocity[k] * share + dx) * dt
+    y[n] = y[n] + (velocity[k + 1] * share + dy) * dt
   end
 end
 
@@ -278,14 +264,12 @@ function drift.run(b, dt)
     return
   end
   list(b, work)
-  local displacement, own = work.fastest * dt, 0.0
+  local displacement = work.fastest * dt
   local count, each = findNear(b, work, NEAR * displacement)
-  local parts = min(ceil(sqrt(displacement / work.meanSize * each + 0.25) - 0.5), MOST_PARTS)
-  for n = 1, parts do
-    local keep, part = (n - 1) / n, (4 * n - 2) / (n * (parts * parts + parts))
-    own = own * keep + part
+  local parts = min(ceil(displacement / work.meanSize * each * 0.5), MOST_PARTS)
+  for _ = 1, parts do
     push(b, work, count)
-    advance(b, work, keep, part, own, dt)
+    advance(b, work, 1 / parts, dt)
   end
   listDrifted(b, work)
 end

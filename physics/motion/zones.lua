@@ -129,24 +129,15 @@ local function act(b, list, count, j, time, what)
   end
 end
 
--- Resets the gravity, air friction and drag of the bodies in list[1..count] to those of their own
--- fields.
-local function reset(b, list, count)
-  local pull, air, drag = b.pull, b.airFriction, b.drag
-  local flowPull, flowAir, flowDrag, left = b.flowPull, b.flowAir, b.flowDrag, b.zoneLeft
-  for n = 1, count do
-    local i = list[n]
-    left[2 * i], left[2 * i + 1] = 1, 1
-    flowPull[2 * i], flowPull[2 * i + 1] = pull[2 * i], pull[2 * i + 1]
-    flowAir[i], flowDrag[i] = air[i], drag[i]
-  end
-end
-
--- Finds the gravity of the bodies in list[1..count], `time` s after the beginning of the step; the
--- last zone is on top.
+-- Gives the bodies in list[1..count] the air friction and drag of their own fields, and finds their
+-- gravity, `time` s after the beginning of the step; the last zone is on top.
 local function turnAll(b, list, count, time)
-  local slots = b.zoneList
-  reset(b, list, count)
+  local slots, pull, flowPull, left = b.zoneList, b.pull, b.flowPull, b.zoneLeft
+  for n = 1, count do
+    local i, k, m = list[n], 2 * list[n], 2 * list[n] + 1
+    left[k], left[m], flowPull[k], flowPull[m] = 1, 1, pull[k], pull[m]
+    b.flowAir[i], b.flowDrag[i] = b.airFriction[i], b.drag[i]
+  end
   for n = #slots, 1, -1 do
     local area = b.area[slots[n]]
     act(b, list, (area.gravity or area.gravityX) and count or 0, slots[n], time, turn)

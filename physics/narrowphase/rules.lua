@@ -2,21 +2,25 @@
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
 -- one-way objects, `dropThrough`, and the answer of the game (`canCollide`).
 --
--- The side in the field `oneWay` is solid, the others are open. That is decided in `lets`, and,
--- where no pair is at hand, in `carrierAt` of motion/carriers.lua, `isClosed` of queries/query.lua
--- and `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid quarter of a
--- round one-way object, is that of `shapes.sideOf`, which names sides everywhere: `lets` gets no
--- normal. Its callers choose the side, and tell the game that side: `sweep.meet` for impacts,
--- `passes` in solver/slant.lua for planes, `sideOf` in contacts/contactState.lua for contacts that
--- go on, `wallOf` in solver/bounds.lua for walls in which a body would end; for queries
--- `query.meet`, `lets` in rays.lua, and move.lua. (Ground and snap know slopes and boxes.) Another
--- limit than 45° is a function of the pair and the normal in place of `shapes.sideOf` there.
+-- Answers are remembered with the pair: `passing` for this step (pairFinder clears it), `dropping`
+-- until the two are apart, `asked`: the solve in which the game has said yes, or minus that, no.
+--
+-- The side in the field `oneWay` is solid, the others are open. That is decided in `filter.isOpen`
+-- and, of lines, in `lets` of queries/rays.lua. The side of a slanted meeting, and so the solid
+-- quarter of a round one-way object, is that of `shapes.sideOf`, which names sides everywhere:
+-- `filter.isOpen` gets no normal. Its callers choose the side, and tell the game that side:
+-- `sweep.meet` for impacts, `passes` in solver/slant.lua for planes, `sideOf` in
+-- contacts/contactState.lua for contacts that go on, `wallOf` in solver/bounds.lua for walls in
+-- which a body would end; for queries `query.meet`, `lets` in rays.lua, and move.lua. (Ground and
+-- snap know slopes and boxes.) Another limit than 45° is a function of the pair and the normal in
+-- place of `shapes.sideOf` there.
 -- For `filter.areSolid` and `filter.blocks` a one-way object is no obstacle: their callers leave it
 -- out.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
+local filter = require(root .. ".broadphase.filter")
 local links = require(root .. ".memory.links")
 local path = require(root .. ".motion.path")
 local touch = require(root .. ".narrowphase.touch")
@@ -24,14 +28,8 @@ local touch = require(root .. ".narrowphase.touch")
 local rules = {}
 
 local DYNAMIC, neighbours = constants.DYNAMIC, links.neighbours
-local OPPOSITE, SIDE, SIDES = constants.OPPOSITE, constants.SIDE, constants.SIDES
+local OPPOSITE, SIDES = constants.OPPOSITE, constants.SIDES
 local floor = math.floor
-
--- Returns whether slot i is a one-way object that is open on `side`.
-local function isOpen(b, i, side)
-  local solid = b.oneWay[i]
-  return solid and SIDE[solid] ~= side
-end
 
 -- Returns whether slot i falls through a one-way object with the side `solid`.
 -- Until it is clear of that object, no other one-way object with the same side holds it, as the
@@ -57,7 +55,7 @@ function rules.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
   end
-  return isDeep or isOpen(b, i, side) or isOpen(b, j, OPPOSITE[side]) or isDropping(b, i, j)
+  return isDeep or filter.isOpen(b, i, j, side) or isDropping(b, i, j)
 end
 
 -- Asks the game. An error in its function passes through, and the step is given up with nothing
@@ -101,7 +99,8 @@ function rules.permits(b, low, high, axis)
     and answer(b, b.worldCanCollide, one, other, sideName)
 end
 
---- Returns whether pair p may collide, before the first solve of a step, which does not ask again.
+--- Returns whether pair p may collide, before the first solve of a step (the stamp of which is one
+--- more), which does not ask again.
 function rules.foresees(b, p, low, high, axis)
   local stamp = b.solveStamp + 1
   if b.asked[p] ~= stamp and b.asked[p] ~= -stamp then
@@ -110,9 +109,9 @@ function rules.foresees(b, p, low, high, axis)
   return b.asked[p] == stamp
 end
 
---- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the
---- indices of the low body and the high one. `isDeep`: they overlap already. The game is asked once
---- a solve about each pair: a step that begins anew asks again.
+--- Returns whether the bodies of pair p pass through each other on an axis, and notes it. `kl` and
+--- `kh` are the indices of the low body and the high one. `isDeep`: they overlap already. The game
+--- is asked once a solve about each pair: a step that begins anew asks again.
 function rules.passes(b, p, kl, kh, axis, isDeep)
   if b.passing[p] or b.dropping[p] then
     return true
@@ -133,8 +132,8 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   return true
 end
 
--- Gives slot i, which falls through slope j, the speed at which the edge sinks under it. Else it
--- would be left above the edge where it runs down.
+-- Gives slot i, which falls through slope j, the speed at which the edge sinks under it, in the
+-- game's table. Else it would be left above the edge where it runs down.
 local function keepUp(b, i, j)
   local axis, object = path.axisOf(b, i), b.object[i]
   local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
@@ -144,7 +143,8 @@ local function keepUp(b, i, j)
   end
 end
 
---- Makes slot i fall through the one-way objects that it stands on. Returns whether there were any.
+--- Makes slot i fall through the one-way objects that it stands on, by the contacts of the last
+--- step. Returns whether there were any.
 --- An object that is not dynamic stands on nothing, nor does an object without gravity.
 function rules.drop(b, i)
   if b.kind[i] ~= DYNAMIC or (b.down[2 * i] == 0 and b.down[2 * i + 1] == 0) then

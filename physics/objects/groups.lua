@@ -74,7 +74,9 @@ local function sortedNames(self, objects)
   return names
 end
 
--- Returns whether a group has other keys than 1 to `count`, which it has.
+-- Returns whether a group has other keys than 1 to `count`, which it has. A large group is not
+-- counted as long as `next` gave its numbers in their order: the keys behind the last known
+-- number are enough then, since keys of the hash part come behind those of the array.
 local function hasOthers(record, count)
   local source, n, known = record.source, 0, min(count, record.count)
   if known > FEW and not record.mixed and rawget(source, count + 1) == nil then
@@ -94,9 +96,9 @@ local function hasOthers(record, count)
 end
 
 --- Returns the first place in which a group differs from its record, nil: in none. The comparison
---- is raw, since a game's objects may be "equal" by a metamethod. A group owns no object that it
---- inherits, so it differs, too; and to index costs half of `rawget`. `isShort`: in a group that
---- has numbers only, other keys are not looked for, since that counts all its objects.
+--- is raw, since a game's objects may be "equal" by a metamethod. (A plain group is indexed, which
+--- costs half of `rawget`.) `isShort`: in a group that has numbers only, other keys are not looked
+--- for, since that counts all its objects.
 function groups.firstChange(record, isShort)
   if record.direct then
     return nil
@@ -216,7 +218,7 @@ function groups.haveChanged(self, objects)
 end
 
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.
---- Errors: a table of groups that is none, or a group.
+--- Errors: a table of groups that is none, or a group; a key that is no finite number or string.
 function groups.read(self, objects)
   local records, byName = {}, {}
   if type(objects) ~= "table" then

@@ -168,7 +168,7 @@ local function relax(b)
   end
 end
 
---- Writes the forces on the sides of slot i into `out` (nil: it was not read yet).
+--- Writes the forces on the sides of slot i (nil: it was not read yet) into `out`; returns that.
 function load.run(b, i, out)
   local down, turn = b.downAxis, b.orientation[b.downAxis]
   out.top, out.bottom, out.left, out.right, count = 0.0, 0.0, 0.0, 0.0, 0
@@ -187,6 +187,7 @@ function load.run(b, i, out)
     out.left, out.right = out.left + max(x, 0.0), out.right + max(-x, 0.0)
     out.top, out.bottom = out.top + max(y, 0.0), out.bottom + max(-y, 0.0)
   end
+  return out
 end
 
 return load

@@ -28,8 +28,8 @@
 --     moved          the game has changed any of its fields but velocity, `ax` and `ay` (by
 --                    `reread` in read: `pairFinder.markMoved`), or called `refresh`
 --                    (`carriers.noteJump`), or `put` in overlap has parted it from others
---     isPolled       one of its contacts, or the world, asks for `onStay` (events) or `canCollide`
---                    (rules)
+--     isPolled       it meets something, if only to pass through it, for which one of the two or
+--                    the world has a `canCollide` (rules), or is in a contact that has `onStay`
 --     crowd          its crowd was laid out and it is apart now: the next step forgets the crowd
 --
 -- `islands.settle` puts an island to sleep if all its bodies are quiet, its awake kinematic

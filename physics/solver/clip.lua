@@ -167,9 +167,9 @@ local function addFace(b, i, j, x, y, t, isTouched)
   local gap, faceX, faceY, isEdge = face(b, i, j, x, y, t)
   local m, start, to, isBefore = 2 * j, b.time[j], b.to, gap >= -2 * EPSILON
   x, y = x + to[m] - path.at(b, m, start, t), y + to[m + 1] - path.at(b, m + 1, start, t)
-  local axis, isLow = shapes.sideOf(faceX, faceY, isEdge, touch.axisOf(b, i, j))
+  local _, _, itsSide = shapes.sideOf(faceX, faceY, isEdge, touch.axisOf(b, i, j))
   if not isTouched or isBefore and not (isEdge and touch.gradient(b, i, j) ~= 0) then
-    planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, 2 * axis + (isLow and 2 or 1))
+    planes.add(b.rank, faceX, faceY, faceX * x + faceY * y - gap, j, itsSide)
   end
   return isBefore
 end
@@ -274,14 +274,14 @@ local function areCaught(b, p, i, j)
   return isClipped and mayMeet and boxes.gap(b, b.to, i, j) < -EPSILON
 end
 
--- Returns whether box i is in a slope, or squeezed beside one, or in a body that was clipped; if it
--- has followed the ground, also whether it is in a wall (as behind a slope, under a ceiling).
+-- Returns whether box i is in a slope, or squeezed and touches one, or in a body that was clipped;
+-- if it has followed the ground, also whether it is in a wall (as behind a slope, under a ceiling).
 local function isSqueezed(b, i)
   local k, to = 2 * i, b.to
   local isCaught, hasWalked = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0, b.pieceLast[i] > 0
   for _, j, p in neighbours(b, i) do
     local isClose = (hasWalked or touch.haveFaces(b, i, j))
-      and (isCaught or boxes.gap(b, to, i, j) < -EPSILON)
+      and (isCaught and b.touches[p] > APART or boxes.gap(b, to, i, j) < -EPSILON)
     local isIn = isClose and (isCaught or face(b, i, j, to[k], to[k + 1], 1) < -EPSILON)
     if areCaught(b, p, i, j) or isIn and isWall(b, p, i, j) then
       return true

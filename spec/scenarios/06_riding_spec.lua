@@ -303,6 +303,13 @@ describe("x and y: what the game puts on a platform", function()
     "rider.y, rider.vy = platform.y - 24, 0",
     { 1, "rider.y ~ platform.y - 24" },
   })
+
+  local OPEN = { platform({ vy = 60 }), rider({ y = 100, oneWay = "top" }) }
+  row("falls through it if it is open below", { 60 }, OPEN, {
+    { steps = 1 },
+    "rider.y, rider.vy = 377, 0",
+    { 1 / 6, "rider.y ~ 377 + 400 * t * t" },
+  })
 end)
 
 describe("carry = false: a platform", function()

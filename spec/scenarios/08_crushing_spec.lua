@@ -436,3 +436,15 @@ it("onCrush: names two objects of the world where only one side of an object is 
   small.run(world, 40)
   assert.is_true(told > 2)
 end)
+
+it("slope: one near a box that is pressed to the ground has no say in where that ends", function()
+  for gap = 1, 8 do
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floors", small.tile(0, 100, 400, 20))
+    world:add("presses", small.put(90, 60, 40, 10, { kinematic = true, vy = 30 }))
+    world:add("slopes", small.tile(124 + gap, 90, 20, 10, { slope = "right" }))
+    local pressed = world:add("boxes", small.put(104, 80, 20, 20))
+    small.run(world, 30)
+    assert.same({ gap, 104, 82.5 }, { gap, pressed.x, pressed.y })
+  end
+end)
