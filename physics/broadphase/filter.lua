@@ -47,16 +47,11 @@ end
 
 local isSensed = filter.isSensed
 
--- Returns whether slot i is a one-way object that is open on `side`.
-local function isOpenOn(b, i, side)
-  local solid = b.oneWay[i]
-  return solid and SIDE[solid] ~= side
-end
-
 --- Returns whether slots i and j, which meet on `side` of i, may pass through each other because
 --- one of them is a one-way object.
 function filter.isOpen(b, i, j, side)
-  return isOpenOn(b, i, side) or isOpenOn(b, j, OPPOSITE[side])
+  local one, other = b.oneWay[i], b.oneWay[j]
+  return one and SIDE[one] ~= side or other and SIDE[other] ~= OPPOSITE[side]
 end
 
 --- Returns whether two objects are soft to each other: then they drift apart instead of colliding

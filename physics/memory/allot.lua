@@ -85,14 +85,6 @@ end
 
 -- Coming and going -------------------------------------------------------------------------------
 
--- Leaves some slots to movers that come later.
-local function leaveRoom(b, count)
-  for n = count, 1, -1 do
-    b.freeMovers[#b.freeMovers + 1] = b.slots + n
-  end
-  b.slots = b.slots + count
-end
-
 --- Takes a slot for a new object and returns it. All its columns have their initial values, but
 --- those of movers may not reach it yet: for a mover `allot.addMover` must follow.
 --- `coming`: it is the first of so many. (Movers get slots that are close together, before the
@@ -103,8 +95,12 @@ function allot.claim(b, isStatic, coming)
   end
   local i = remove(isStatic and b.freeStatic or b.freeMovers)
   if not i then
-    if isStatic and #b.freeMovers == 0 then
-      leaveRoom(b, floor(coming / SHARE))
+    if isStatic and #b.freeMovers == 0 then -- leave some slots to movers that come later
+      local last = b.slots + floor(coming / SHARE)
+      for slot = last, b.slots + 1, -1 do
+        b.freeMovers[#b.freeMovers + 1] = slot
+      end
+      b.slots = last
     end
     i = b.slots + 1
     b.slots = i

@@ -52,24 +52,19 @@ function arrays.begins(kind, value)
   return typed() and kind and (value == 0 or value == false)
 end
 
--- Returns a table that begins as `column` does, up to `last`, and has room for `count` values. (A
--- table that doubles goes through all that it has: 20 000 tiles take a tenth more time.)
-local function widen(column, last, count)
-  local array = newTable(count, 0)
-  for k = 0, last do
-    array[k] = column[k]
-  end
-  return array
-end
-
 --- Returns a column with places for the slots 0 to `count` - 1 that begins as `column` does.
 ---@param kind string|false a type of C, false: it may hold anything
 ---@param column any has places for `old` slots; for none, it is an empty table
 ---@param width integer places of each slot; the last one of sides is behind them (they are 1 to 4)
 function arrays.grow(kind, column, width, old, count)
   if not (typed() and kind) then
+    -- A table that doubles goes through all that it has: 20 000 tiles take a tenth more time.
     local isLarge = hasRoom and count > 2 * old
-    return isLarge and widen(column, width * old, width * count + 1) or column
+    local array = isLarge and newTable(width * count + 1, 0) or column
+    for k = 0, isLarge and width * old or -1 do
+      array[k] = column[k]
+    end
+    return array
   end
   types[kind] = types[kind] or ffi.typeof(kind .. "[?]")
   local array = types[kind](width * count + 1 + floor(width * count / SPREAD))
