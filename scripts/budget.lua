@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/memory", 698 },
   { "physics/motion", 970 },
   { "physics/narrowphase", 556 },
-  { "physics/objects", 1275 },
+  { "physics/objects", 1271 },
   { "physics/overlaps", 835 },
   { "physics/queries", 929 },
   { "physics/sleep", 81 },
