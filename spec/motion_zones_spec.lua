@@ -210,6 +210,28 @@ describe("area: a zone", function()
     { "zone.raw.area.ax = 100; world:add('zones', zone.raw)", 1 / 6, "body.vx > 0" },
   }, { "kind", { "static" }, { "kinematic" } })
 
+  it("acts on the rider of a train as on the ground that stands, seen from there", function()
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      local ends = {}
+      for n, speed in ipairs({ 120, 0 }) do
+        local world = physics.newWorld({ gravity = 800 })
+        local its = { x = 101, y = 0, width = 1000, height = 400, kinematic = true, sensor = true }
+        its.vx, its.area = speed - 120, { ax = 600 }
+        world:add("zones", its)
+        local train = { x = -500, y = 400, width = 5000, height = 50, kinematic = true, vx = speed }
+        world:add("trains", train)
+        local rider = world:add("bodies", { x = 75, y = 380, width = 20, height = 20 })
+        world:update(1 / rate)
+        its.x, rider.x = 101, 75
+        world:refresh(its)
+        small.run(world, rate / 3, rate)
+        ends[n] = rider.vx
+      end
+      assert.is_true(ends[2] > 50)
+      assert.near(ends[2], ends[1], 1e-9)
+    end
+  end)
+
   -- A world with such a zone, and a body above it.
   local function newWorld(area)
     local world = physics.newWorld({ gravity = 800 })

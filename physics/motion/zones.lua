@@ -6,10 +6,14 @@
 -- step: so nothing depends on the step in which an edge is crossed.
 -- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
 --
--- Reads area, position, velocity, pull, airFriction, drag; writes flowPull, flowAir, flowDrag and,
--- where a zone has a gravity of its own, down. Without zones objects/readFields.lua writes them.
+-- Gravity is that of the last zone in the order of the world, as far as an object is in that (on
+-- each axis alone, by shares); all else adds up.
+--
+-- Reads area, from, velocity, carrier, size, shape, pull, airFriction, drag; writes flowPull,
+-- flowAir, flowDrag and down. Without zones objects/readFields.lua writes them.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carriers = require(root .. ".motion.carriers")
 local check = require(root .. ".fields.check")
 local constants = require(root .. ".memory.constants")
 local filter = require(root .. ".broadphase.filter")
@@ -52,16 +56,19 @@ end
 
 -- Shares ------------------------------------------------------------------------------------------
 
--- Returns where k is `time` s after the beginning of the step, if nothing acts on it.
-local function place(b, k, time)
-  return b.from[k] + b.velocity[k] * time
+-- Returns where slot i is `time` s after the beginning of the step, x and y, if nothing acts on it.
+-- A rider goes with its carrier.
+local function placeOf(b, i, time)
+  local k, carrier = 2 * i, b.kind[i] == DYNAMIC and b.carrier[i] or 0
+  local x, y = carriers.velocity(b, carrier, i)
+  return b.from[k] + (b.velocity[k] + x) * time, b.from[k + 1] + (b.velocity[k + 1] + y) * time
 end
 
 -- Returns the share of slot i, 0..1, that is in zone j, if zone j acts on it at all.
 local function shareIn(b, i, j, time)
   local size, k, m = b.size, 2 * i, 2 * j
-  local x, y, left, top =
-    place(b, k, time), place(b, k + 1, time), place(b, m, time), place(b, m + 1, time)
+  local x, y = placeOf(b, i, time)
+  local left, top = placeOf(b, j, time)
   local w, h = size[m], size[m + 1]
   local share = shapes.share(b.shape[j], left, top, w, h, x, y, size[k], size[k + 1])
   local acts = share > 0 and i ~= j and not (filter.refusal(b, i, j) or filter.refusal(b, j, i))
@@ -83,8 +90,9 @@ end
 -- Adds the attraction of zone j to the accelerations of slot i.
 local function attract(b, i, j, share, time)
   local size, k, m, area = b.size, 2 * i, 2 * j, b.area[j]
-  local dx = place(b, m, time) + size[m] * 0.5 - place(b, k, time) - size[k] * 0.5
-  local dy = place(b, m + 1, time) + size[m + 1] * 0.5 - place(b, k + 1, time) - size[k + 1] * 0.5
+  local x, y = placeOf(b, i, time)
+  local dx, dy = placeOf(b, j, time)
+  dx, dy = dx + size[m] * 0.5 - x - size[k] * 0.5, dy + size[m + 1] * 0.5 - y - size[k + 1] * 0.5
   local distance, radius = max(sqrt(dx * dx + dy * dy), TINY), min(size[m], size[m + 1]) * 0.5
   local pull = share * area.attract * strength(area.law, distance / radius) / distance
   b.flowPull[k], b.flowPull[k + 1] = b.flowPull[k] + dx * pull, b.flowPull[k + 1] + dy * pull
