@@ -372,6 +372,9 @@ describe("every function: a call", function()
     { "world:remove(object): object must be a table, got nil", "remove" },
     { "world:refresh(object): object must be a table, got 1", "refresh", 1 },
     { "world:interpolate(object): object must be a table, got nil", "interpolate" },
+    { "world:load(object): object must be a table, got nil", "load" },
+    { "world:load(object): out must be a table, got 3", "load", BOX, 3 },
+    { "world:load(object): " .. NO_WORLD, "load", object() },
     { "world:refresh(object): " .. NO_WORLD, "refresh", object() },
     { "objects.crate.mass must be a number > 0, got 0", "refresh", CRATE },
   }, function(words, method, given, second, third)

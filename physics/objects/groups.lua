@@ -15,7 +15,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
-local huge, max, min, sort = math.huge, math.max, math.min, table.sort
+local max, min, sort = math.max, math.min, table.sort
 -- For `haveChanged`: the question, and its answer.
 ---@type number[], any, any, any
 local TWO, asked, given, answer = { 1, 2 }, false, false, false
@@ -23,25 +23,22 @@ local TWO, asked, given, answer = { 1, 2 }, false, false, false
 -- Groups up to this size are counted each time. Up to so many neighbours that go leave a gap.
 local FEW = 64
 
--- Returns a record of a group of which nothing is known yet.
+-- Returns a record of a group of which nothing is known yet. Each update adds `newKeys` and
+-- `newCount`, its present keys and objects, `gapCount`, `changedCount` and `foundCount` (see
+-- `compareAll`), and `rankBehind`, the lowest rank in the groups that follow (see registry).
 local function newRecord(name, source)
   return {
     name = name,
     source = source, -- the game's table
     direct = false, -- that is an object itself
     index = 0, -- place among the groups
-    rankBehind = huge, -- the lowest rank in the groups that follow
     list = {}, -- the objects that were in it,
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
-    -- `newKeys` and `newCount`: its present keys and objects (see compareAll).
     gaps = {}, -- the places whose object has gone, so that those behind it have moved up, in order,
-    gapCount = 0,
     changed = {}, -- the other places that hold another object now, when these gaps are closed,
-    changedCount = 0,
-    found = {}, -- the slots of those objects,
-    foundCount = 0,
+    found = {}, -- and the slots of those objects
     moves = false, -- some object of it has been one that is not static
     isPlain = true, -- none of its objects has a metatable
     mixed = false, -- its keys were not 1, 2, 3 … in the order of `next`
