@@ -113,11 +113,10 @@ end
 function events.add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
+  elseif b.rank[j] < b.rank[i] then
+    i, j, side = j, i, OPPOSITE[side]
   end
-  if b.rank[j] < b.rank[i] then
-    return note(b, kind, j, i, false, OPPOSITE[side], speed)
-  end
-  return note(b, kind, i, j, false, side, speed)
+  note(b, kind, i, j, false, side, speed)
 end
 
 local add = events.add
