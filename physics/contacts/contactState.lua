@@ -2,10 +2,16 @@
 --- Contact state: computes from the places at the end of a step whether a pair is in contact, and
 -- on which side.
 --
+-- Two that are flush are in contact on that side if they were, if they were hit there in this step,
+-- if something leans on the side (`isPressed`), or with the setting `sideBySide`. What has changed
+-- is an event: another side ends a contact and begins one; a hit without a contact is a bounce.
+-- Each event keeps both bodies awake. (The hit of two that were put back is forgotten: they may
+-- sleep.)
+--
 -- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
--- Reads to, position, hit, pressedAt, passing and others; writes contact, wedged, dropping, inside,
--- mustStayAwake, and notes the events.
+-- Reads to, position, hit, pressedAt, passing and others; writes contact, wedged (the side on which
+-- two that overlap part), dropping, inside, hit, mustStayAwake, contactCount, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
@@ -35,8 +41,8 @@ local function isPressed(b, i, j, side)
     or b.kind[j] == DYNAMIC and pressedAt[4 * j + OPPOSITE[side]] == stamp
 end
 
--- Remembers on which axis two bodies that are left overlapping came into each other: they may only
--- part there.
+-- Remembers on which side two bodies that are left overlapping came into each other (0: they were
+-- apart on none): they may only part there.
 local function wedge(b, p, i, j)
   local position, side = b.position, 0
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC

@@ -17,11 +17,13 @@
 -- the ground is made again, with leave to drop that far at each edge.
 --
 -- One pass is enough, because the lowest bodies come first: when a rider's turn comes, its support
--- is in place. Heights are as in ground.lua: the further up, the less.
+-- is in place. (A `height` here is that of the place along gravity: the lowest has the least. What
+-- `lower` compares is as in ground.lua: the further up, the less.)
 --
--- Only boxes are lowered, not sensors nor bodies that are buried in others, and only if they do not
--- move up in the step. A lowered body takes the speed of its ground; those that stand on it may go
--- down by as much as it did (`lowered`).
+-- Only boxes with a support are lowered (so no sensors), not onto round ground, and only if they
+-- do not move up in the step. A body is put there first, so that its new neighbours are known, and
+-- put back if one forbids it. A lowered body takes the speed of its ground; those that stand on it
+-- may go down by as much as it did (`lowered`).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".narrowphase.ball")
