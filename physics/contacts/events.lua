@@ -114,9 +114,9 @@ function events.add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
   elseif b.rank[j] < b.rank[i] then
-    i, j, side = j, i, OPPOSITE[side]
+    return note(b, kind, j, i, false, OPPOSITE[side], speed)
   end
-  note(b, kind, i, j, false, side, speed)
+  return note(b, kind, i, j, false, side, speed)
 end
 
 local add = events.add
