@@ -22,7 +22,7 @@ local BUDGET = {
   { "physics/queries", 929 },
   { "physics/sleep", 81 },
   { "physics/solver", 3192 },
-  { "physics/space", 484 },
+  { "physics/space", 488 },
   { "physics/state", 860 },
   { "physics/world", 1331 },
 }
