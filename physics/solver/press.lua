@@ -375,16 +375,8 @@ function press.run(b, ofAll)
   return true
 end
 
--- Leaves slot i exactly where it was if it is slow and has hardly moved: rounding would let it
--- creep, and a push of the shocks leaves it the speed that it had.
-local function rest(b, i)
-  if b.kind[i] == DYNAMIC and heap.isSlow(b, i) and path.motion(b, i) <= EPSILON then
-    path.putBack(b, i)
-  end
-end
-
---- Presses the bodies apart that the rounds have left in each other, finds which planes touch,
---- leaves slow bodies where they were, and finds the heaps.
+--- Presses the bodies apart that the rounds have left in each other, and finds which planes touch,
+--- and the heaps.
 function press.finish(b)
   local s = b.slants
   repeat -- (planes of new pairs may push others into each other, at most as many as there are)
@@ -397,8 +389,6 @@ function press.finish(b)
   end
   for c = 1, s.count do
     s.isFlush[c] = isFlush(b, c)
-    rest(b, s.one[c])
-    rest(b, s.other[c])
   end
   pairFinder.run(b, b.awakeList, b.awakeCount)
   heap.spread(b, b.heapWork.inHeap, b.solveStamp)
