@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/motion", 962 },
   { "physics/narrowphase", 553 },
   { "physics/objects", 1271 },
-  { "physics/overlaps", 838 },
+  { "physics/overlaps", 839 },
   { "physics/queries", 929 },
   { "physics/sleep", 81 },
   { "physics/solver", 3193 },
