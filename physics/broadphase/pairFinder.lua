@@ -271,10 +271,8 @@ function pairFinder.listLive(b)
     b.liveCount, b.freePairCount, b.liveAwakenings = count, freeCount, b.awakenings
   end
   for n = 1, b.liveCount do
-    hit[live[n]], pressed[live[n]] = 0, 0
-  end
-  for n = 1, b.hasRules and b.liveCount or 0 do
-    passing[live[n]] = false
+    local p = live[n]
+    hit[p], pressed[p], passing[p] = 0, 0, false
   end
 end
 

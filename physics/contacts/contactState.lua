@@ -123,17 +123,13 @@ end
 --- Updates whether pair p is in contact now, and notes its events.
 function contactState.update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
-  local now
-  if b.contact[p] == 0 and b.hasOverlaps and crowd.isGhost(b, i, j) then
-    -- Members of a crowd never begin a contact: whether two are still a pair depends on when the
-    -- crowd formed.
+  local before, isSensed = b.contact[p], b.sensor[i] or b.sensor[j]
+  -- Members of a crowd never begin a contact: whether two are still a pair depends on when the
+  -- crowd formed.
+  if before == 0 and b.hasOverlaps and crowd.isGhost(b, i, j) then
     return
-  elseif b.sensor[i] or b.sensor[j] then
-    now = sensorContact(b, p, i, j)
-  else
-    now = solidContact(b, p, i, j)
   end
-  local before = b.contact[p]
+  local now = isSensed and sensorContact(b, p, i, j) or solidContact(b, p, i, j)
   if now == before then
     if now ~= 0 then
       events.stay(b, p, now)

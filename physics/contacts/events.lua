@@ -113,8 +113,7 @@ end
 function events.add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
-  end
-  if b.rank[j] < b.rank[i] then
+  elseif b.rank[j] < b.rank[i] then
     return note(b, kind, j, i, false, OPPOSITE[side], speed)
   end
   return note(b, kind, i, j, false, side, speed)

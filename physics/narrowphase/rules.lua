@@ -125,11 +125,8 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   end
   local isRefused = b.asked[p] == -b.solveStamp -- see `foresees`
   b.asked[p] = b.solveStamp
-  if not isRefused and rules.permits(b, low, high, axis) then
-    return false
-  end
-  b.passing[p] = true
-  return true
+  b.passing[p] = isRefused or not rules.permits(b, low, high, axis)
+  return b.passing[p]
 end
 
 -- Gives slot i, which falls through slope j, the speed at which the edge sinks under it, in the
