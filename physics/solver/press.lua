@@ -14,7 +14,7 @@
 --   ##############      and planes up to LEFT slops deep are not pressed again.
 --                    2. Immovable bodies come last: each body ends at the nearest place in front of
 --                       all that stop it (`leaveWalls`), which passes reach slowly. Then a body is
---                       taken back to FURTHEST of its size and the way of its speed (`limit`).
+--                       taken back to FURTHEST of its size and its own way (`limit`).
 --                    3. The same with the speeds, for the rows that touch at the end or have got
 --                       an impulse: they must not close. The speed along the tangent is kept.
 --                    4. 1 and 2 again for the places alone, since walls have pushed bodies back
@@ -289,15 +289,17 @@ end
 -- The end of the step -----------------------------------------------------------------------------
 
 -- Limits how far slot i, if it is dynamic, is pushed: a share of its size, and as far as its free
--- flight takes it. (A body between immovable ones would be pushed to and fro; and pushes after the
--- rounds are not swept: one as long as the speed that a body has got led through walls.)
+-- flight takes it, or the speed that it has got, but that by another share at most. (A body between
+-- immovable ones would be pushed to and fro; and pushes after the rounds are not swept: one as long
+-- as that speed led through walls.)
 local function limit(b, i)
   if b.kind[i] ~= DYNAMIC then
     return
   end
-  local k, to, origin = 2 * i, b.to, b.origin
-  local fastest = max(path.largest(b.start, k), path.largest(b.freeSpeed, k))
-  local most = FURTHEST * min(b.size[k], b.size[k + 1]) + fastest * b.dt
+  local k, to, origin, dt = 2 * i, b.to, b.origin, b.dt
+  local share = FURTHEST * min(b.size[k], b.size[k + 1])
+  local way = max(path.largest(b.start, k), path.largest(b.freeSpeed, k)) * dt
+  local most = share + max(way, min(path.largest(b.speed, k) * dt, share))
   for m = k, k + 1 do
     to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
   end
