@@ -66,6 +66,9 @@ local LEFT, DEEPEST = 5, 0.08
 local LIFTED = 0.2
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
+-- Share of its size by which its new speed may take it further. (Without it, a weak body is left 0.36 px in a strong one; with
+-- 0.35, a pit rests 0.1 px deep.)
+local FASTER = 0.1
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
 -- How much farther than its own way and those of its walls a body may be put, since it may begin in
@@ -289,17 +292,16 @@ end
 -- The end of the step -----------------------------------------------------------------------------
 
 -- Limits how far slot i, if it is dynamic, is pushed: a share of its size, and as far as its free
--- flight takes it, or the speed that it has got, but that by another share at most. (A body between
+-- flight takes it; the speed that it has got may add a small share (FASTER). (A body between
 -- immovable ones would be pushed to and fro; and pushes after the rounds are not swept: one as long
 -- as that speed led through walls.)
 local function limit(b, i)
   if b.kind[i] ~= DYNAMIC then
     return
   end
-  local k, to, origin, dt = 2 * i, b.to, b.origin, b.dt
-  local share = FURTHEST * min(b.size[k], b.size[k + 1])
+  local k, to, origin, dt, size = 2 * i, b.to, b.origin, b.dt, min(b.size[2 * i], b.size[2 * i + 1])
   local way = max(path.largest(b.start, k), path.largest(b.freeSpeed, k)) * dt
-  local most = share + max(way, min(path.largest(b.speed, k) * dt, share))
+  local most = FURTHEST * size + max(way, min(path.largest(b.speed, k) * dt, FASTER * size))
   for m = k, k + 1 do
     to[m] = max(min(to[m], origin[m] + most), origin[m] - most)
   end
