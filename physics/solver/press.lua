@@ -66,8 +66,8 @@ local LEFT, DEEPEST = 5, 0.08
 local LIFTED = 0.2
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
--- Share of its size by which its new speed may take it further. (Without it, a weak body is left 0.36 px in a strong one; with
--- 0.35, a pit rests 0.1 px deep.)
+-- Share of its size by which its new speed may take it further. (Without it, a weak body is left
+-- 0.36 px in a strong one; with 0.35, a pit rests 0.1 px deep.)
 local FASTER = 0.1
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
