@@ -59,8 +59,10 @@ end
 -- Returns where slot i is `time` s after the beginning of the step, x and y, if nothing acts on it.
 -- A rider goes with its carrier.
 local function placeOf(b, i, time)
-  local k, carrier = 2 * i, b.kind[i] == DYNAMIC and b.carrier[i] or 0
-  local x, y = carriers.velocity(b, carrier, i)
+  local k, x, y = 2 * i, 0, 0
+  if b.hasCarriers and b.kind[i] == DYNAMIC then
+    x, y = carriers.velocity(b, b.carrier[i], i)
+  end
   return b.from[k] + (b.velocity[k] + x) * time, b.from[k + 1] + (b.velocity[k + 1] + y) * time
 end
 
