@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/fields", 661 },
   { "physics/maps", 2187 },
   { "physics/memory", 698 },
-  { "physics/motion", 966 },
+  { "physics/motion", 968 },
   { "physics/narrowphase", 553 },
   { "physics/objects", 1271 },
   { "physics/overlaps", 839 },
