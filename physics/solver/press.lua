@@ -68,7 +68,7 @@ local LIFTED = 0.2
 local FURTHEST = 0.35
 -- Share of its size by which its new speed may take it further. (Without it, a weak body is left
 -- 0.36 px in a strong one; with 0.35, a pit rests 0.1 px deep.)
-local FASTER = 0.1
+local FASTER = 0.2
 -- Share of a normal along gravity from which on one body of a pair is above the other.
 local ABOVE = 0.1
 -- How much farther than its own way and those of its walls a body may be put, since it may begin in
@@ -162,8 +162,9 @@ end
 -- Walls -------------------------------------------------------------------------------------------
 
 -- Lists the rows with a wall by the body that it stops: the other body of the row cannot be moved
--- along their normal, since it is immovable, or held, or not pushable; or it is stronger. (In 16
--- passes a light ball between a strong player, a wall and heavy balls hardly moved.)
+-- along their normal, since it is immovable, or held, or not pushable; or it is stronger, and one of
+-- the two round. (In 16 passes a light ball between a strong player, a wall and heavy balls hardly
+-- moved.)
 local function listWalls(b)
   local s = b.slants
   s.walledCount = 0
@@ -172,8 +173,9 @@ local function listWalls(b)
     local i, j, nx, ny = s.one[c], s.other[c], s.nx[c], s.ny[c]
     local ix, iy, jx, jy = ball.weigh(b, i, j, nx, ny)
     local isOne, isOther = nx * nx * ix + ny * ny * iy > 0, nx * nx * jx + ny * ny * jy > 0
-    isOne = isOne and not (isOther and b.power[i] > b.power[j])
-    isOther = isOther and not (isOne and b.power[j] > b.power[i])
+    local isStronger = isOne and isOther and ball.isRound(b, i, j)
+    isOne = isOne and not (isStronger and b.power[i] > b.power[j])
+    isOther = isOther and not (isStronger and b.power[j] > b.power[i])
     if isOne ~= isOther then
       local mover = isOne and i or j
       if s.wallsAt[mover] ~= s.stamp then
