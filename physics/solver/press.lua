@@ -64,6 +64,8 @@ local LEFT, DEEPEST = 5, 0.08
 -- Up to this gap, px, two that were pushed under gravity touch: shocks lift them. (With 0.05 heaps
 -- do not rest; without a bound two that were 18 px apart touched.)
 local LIFTED = 0.2
+-- How often late pairs are looked for. (300 crowds with a strong player took at most 3.)
+local LOOKS = 4
 -- Share of its size by which a body is pushed, more than it moves.
 local FURTHEST = 0.35
 -- Share of its size by which its new speed may take it further. (Without it, a weak body is left
@@ -385,11 +387,12 @@ end
 --- and the heaps.
 function press.finish(b)
   local s = b.slants
-  repeat -- (planes of new pairs may push others into each other, at most as many as there are)
-    local count = s.count
+  local looks, count = 0, -1
+  while looks < LOOKS and s.count ~= count do -- planes of new pairs may push others into each other
+    looks, count = looks + 1, s.count
     slant.findLate(b)
     press.run(b, true)
-  until s.count == count
+  end
   if s.count == 0 then
     return
   end
