@@ -21,7 +21,7 @@ local BUDGET = {
   { "physics/overlaps", 839 },
   { "physics/queries", 929 },
   { "physics/sleep", 81 },
-  { "physics/solver", 3195 },
+  { "physics/solver", 3197 },
   { "physics/space", 488 },
   { "physics/state", 860 },
   { "physics/world", 1331 },
