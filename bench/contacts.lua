@@ -72,12 +72,14 @@ local function isMeant(name)
   return options.only == ""
 end
 
--- Prints the lines of a subject; `missed` has a line for each scene that misses a row.
-local function report(subject, count, worst, missed)
+-- Prints the lines of a subject; `missed` has a line for each scene that misses a row, `measured`
+-- how often a row was measured.
+local function report(subject, count, worst, missed, measured)
   for _, row in ipairs(subject.rows) do
     local text, aim = row[1], row[2]
     local lines = missed[text]
     local verdict = #lines == 0 and "met" or "missed by " .. #lines
+    verdict = measured[text] > 0 and verdict or "not measured"
     local line = "%-12s %5d  %-38s %9.3g  aim %-8.3g  %s"
     print(line:format(subject.name, count, text, worst[text], aim, verdict))
     for _, one in ipairs(options.verbose and lines or {}) do
@@ -92,9 +94,9 @@ local function play(subject)
   local first = options.seed > 0 and options.seed or 1
   count = options.quick and math.ceil(QUICK * count) or count
   count = options.seed > 0 and 1 or count
-  local worst, missed = {}, {}
+  local worst, missed, measured = {}, {}, {}
   for _, row in ipairs(subject.rows) do
-    worst[row[1]], missed[row[1]] = 0, {}
+    worst[row[1]], missed[row[1]], measured[row[1]] = 0, {}, 0
   end
   for seed = first, first + count - 1 do
     local scene = newScene(subject, seed, options.seed > 0)
@@ -102,13 +104,14 @@ local function play(subject)
     for _, row in ipairs(subject.rows) do
       local text, value = row[1], scene.values[row[1]]
       worst[text] = math.max(worst[text], value)
+      measured[text] = measured[text] + (scene.counts[text] or 0)
       if value > row[2] then
         local line = "             seed %d: %.4g, frame %d at %d Hz"
         table.insert(missed[text], line:format(seed, value, scene.frames[text], scene.hz))
       end
     end
   end
-  report(subject, count, worst, missed)
+  report(subject, count, worst, missed, measured)
 end
 
 local played = 0

@@ -437,4 +437,23 @@ describe("freePlace", function()
     assert.same({ 2, 1 }, { world:freePlace(2, 1, 16, 16, 99, isNothing) })
     assert.is_nil((world:freePlace(2, 0, 16, 16, 15)))
   end)
+
+  it("stays out of what its filter accepts, also where that refuses another one", function()
+    local world = still()
+    local wall = world:add("crates", { x = 0, y = 0, width = 10, height = 10, static = true })
+    world:add("others", { x = 2, y = 2, width = 4, height = 4, static = true })
+    local function isWall(object)
+      return object == wall
+    end
+    assert.same({ 1, -8 }, { world:freePlace(1, 1, 8, 8, 50, isWall) })
+  end)
+
+  it("takes the same one of places as near, whatever the grid is", function()
+    for _, size in ipairs({ 32, 64, 128, 512 }) do
+      local world = physics.newWorld({ cellSize = size })
+      world:add("walls", { x = 15, y = -300, width = 25, height = 700, static = true })
+      world:add("walls", { x = 0, y = -500, width = 20, height = 1000, static = true })
+      assert.same({ 40, 0 }, { world:freePlace(15, 0, 10, 10, 60) })
+    end
+  end)
 end)

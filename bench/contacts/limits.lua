@@ -8,6 +8,11 @@ local put, tile = small.put, small.tile
 
 local ABOVE, DIAGONAL = "above maxSpeed", "the same at a contact, of both axes"
 
+local function isTouching(thing)
+  local sides = thing.touching
+  return sides.top or sides.bottom or sides.left or sides.right
+end
+
 local function addThings(scene)
   local random, things = scene.random, {}
   for n = 1, random:integer(1, 10) do
@@ -39,7 +44,7 @@ local function playSpeed(scene)
   end, function()
     for _, thing in ipairs(things) do
       local vx, vy = math.abs(thing.vx), math.abs(thing.vy)
-      local isOnAxes = math.max(vx, vy) <= thing.maxSpeed * (1 + 1e-9) and next(thing.touching)
+      local isOnAxes = math.max(vx, vy) <= thing.maxSpeed * (1 + 1e-9) and isTouching(thing)
       local share = math.sqrt(vx * vx + vy * vy) / thing.maxSpeed - 1
       scene:measure(isOnAxes and DIAGONAL or ABOVE, share)
     end

@@ -42,7 +42,10 @@ local function playPit(scene)
   until isAtRest or scene.frame >= 14 * hz
   local isStill = scene.world.stats.resting == COUNT
   scene:measure("moves after 14 s", not isStill)
-  scene:measure("rests after all have landed, s", isStill and (scene.frame - landed) / hz)
+  scene:measure(
+    "rests after all have landed, s",
+    isStill and landed and (scene.frame - landed) / hz
+  )
   scene:measure("in each other at rest, px", isStill and scene:deepest())
 end
 

@@ -25,7 +25,8 @@ end
 
 --- Makes a scene of a subject; `isShown`: it prints what happens.
 function scenes.new(subject, seed, isShown)
-  local scene = setmetatable({ seed = seed, isShown = isShown, values = {}, frames = {} }, Scene)
+  local scene = setmetatable({ seed = seed, isShown = isShown }, Scene)
+  scene.values, scene.frames, scene.counts = {}, {}, {}
   scene:reseed(seed)
   for _, row in ipairs(subject.rows) do
     scene.values[row[1]] = 0
@@ -205,6 +206,7 @@ end
 
 --- Notes a figure of a row, if it is the largest one so far; true counts as 1.
 function Scene:measure(row, value)
+  self.counts[row] = (self.counts[row] or 0) + 1
   value = value == true and 1 or value or 0
   if value > self.values[row] then
     self.values[row], self.frames[row] = value, self.frame

@@ -50,21 +50,12 @@ function recall.setHere(layer, isHere)
   layer._isAway = not isHere
 end
 
--- Returns whether a layer has objects in its world. (A game may have emptied that.)
-local function isLiving(layer)
-  for _, object in ipairs(layer and cells.objects(layer) or NONE) do
-    if layer.world:groupOf(object) then
-      return true
-    end
-  end
-end
-
 --- Notes the layers that a map has made.
 ---@param layers table[] physics.Tiles
 function recall.enter(world, layers)
   local here = recall.mapsOf(world).here
   for _, layer in ipairs(layers) do
-    while isLiving(here[layer._name]) do
+    while here[layer._name] and cells.inWorld(here[layer._name])[1] do -- (not emptied by the game)
       layer._name = layer._name .. "+"
     end
     recall.setHere(layer, true)

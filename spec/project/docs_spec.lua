@@ -192,7 +192,7 @@ it("ARCHITECTURE says what the constants are that bound a step #files", function
       end
     end
   end
-  assert.equal(9, count)
+  assert.equal(10, count)
 end)
 
 it("the page State names the version of a state #files", function()
