@@ -207,7 +207,9 @@ function events.endContacts(b, i, isOver)
       if b.contact[p] ~= 0 then
         if b.hasOverlaps then
           patience.loosen(b, i)
-          patience.loosen(b, j)
+          if b.kind[j] == constants.DYNAMIC then -- (else all that lies on a floor may have room)
+            patience.loosen(b, j)
+          end
         end
         events.finish(b, p, b.contact[p])
         b.contact[p], b.contactCount = 0, b.contactCount - 1

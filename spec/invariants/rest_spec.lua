@@ -55,3 +55,25 @@ describe("static: one of a row that is pushed", function()
     { steps = 10, "engine.x == x", "engine.vx == 0" },
   })
 end)
+
+it("rest: a sleeping heap is as it was when a box far away leaves their common floor", function()
+  local hashes = {}
+  for n, rest in ipairs({ true, false }) do
+    local world = physics.newWorld({ gravity = 900, rest = rest })
+    world:add("floors", { x = 0, y = 100, width = 400, height = 10, static = true })
+    world:add("walls", { x = -10, y = 50, width = 10, height = 60, static = true })
+    world:add("walls", { x = 46, y = 50, width = 10, height = 60, static = true })
+    world:add("balls", { x = 2, y = 80, radius = 10 })
+    world:add("balls", { x = 26, y = 80, radius = 10 })
+    world:add("balls", { x = 10, y = 40, radius = 10 })
+    local far = world:add("boxes", { x = 300, y = 90, width = 10, height = 10 })
+    for frame = 1, 310 do
+      if frame == 300 then
+        world:remove(far)
+      end
+      world:update(1 / 60)
+    end
+    hashes[n] = world:hash()
+  end
+  assert.equal(hashes[1], hashes[2])
+end)

@@ -275,3 +275,20 @@ it("slope: a train that rises tells each crush once, also of those in others", f
   small.play(world, 1.5, 30)
   assert.same({ 1, 1, 1 }, { riders[1].crushes, riders[2].crushes, riders[3].crushes })
 end)
+
+-- The upright side of a slope is a wall. (Of two boxes, the one at the press went through the other
+-- one.)
+--
+--      [press]-> [a][b]|slope|
+it("slope: its upright side squeezes a row as a wall does", function()
+  local world = physics.newWorld({ gravity = 0 })
+  local ends = tile(100, 0, 40, 40, { slope = "left", kinematic = true })
+  ends.static = nil
+  world:add("slopes", ends)
+  local a = world:add("boxes", small.put(60, 10, 20, 20))
+  local b = world:add("boxes", small.put(80, 10, 20, 20))
+  world:add("presses", small.put(20, 0, 40, 40, { kinematic = true, vx = 60 }))
+  small.run(world, 60)
+  assert.near(90, a.x, 1)
+  assert.is_true(b.x > a.x)
+end)
