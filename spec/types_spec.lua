@@ -66,3 +66,20 @@ it("profile: a clock in it tells how long the stages of a step took", function()
   world:update(1 / 60)
   assert.is_nil(world.stats.times)
 end)
+
+it("profile: stages that are left out, since everything sleeps, take no time", function()
+  local now, world = 0, physics.newWorld({ gravity = 0 })
+  local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8 })
+  function world.profile()
+    now = now + 2
+    return now
+  end
+  for _ = 1, 5 do
+    world:update(1 / 60)
+  end
+  assert.same({ read = 2, separate = 0, move = 0, solve = 0, write = 0 }, world.stats.times)
+  box.vx = 1
+  world:update(1 / 60)
+  assert.same({ read = 2, separate = 2, move = 2, solve = 2, write = 2 }, world.stats.times)
+end)
+
