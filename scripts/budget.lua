@@ -24,7 +24,7 @@ local BUDGET = {
   { "physics/solver", 3197 },
   { "physics/space", 488 },
   { "physics/state", 860 },
-  { "physics/world", 1331 },
+  { "physics/world", 1330 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
