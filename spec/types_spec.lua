@@ -82,4 +82,3 @@ it("profile: stages that are left out, since everything sleeps, take no time", f
   world:update(1 / 60)
   assert.same({ read = 2, separate = 2, move = 2, solve = 2, write = 2 }, world.stats.times)
 end)
-
